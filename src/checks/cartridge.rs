@@ -10,6 +10,7 @@ use nalgebra::{Isometry3, Vector3};
 use rayon::prelude::*;
 
 use super::finding::{Finding, Verdict};
+use super::interference::MAGNET_TOWER;
 use super::measure::Measure;
 use super::rule::{Blame, Found, InSearch, Levers, Pass, Rule};
 use super::scene::{Placed, Scene};
@@ -34,7 +35,7 @@ pub static RULE: Rule = Rule {
     requires: "the battery slides out and meets its stops",
     units: &["mm3", "mm"],
     limits: &[],
-    levers: Levers::Sets(&[CLEARANCES, UNDER_RODS, SENSOR, BOARDS, IN_LID, RIMS, MAGNETS, CONNECTOR]),
+    levers: Levers::Sets(&[CLEARANCES, UNDER_RODS, SENSOR, BOARDS, MAGNET_TOWER, IN_LID, RIMS, MAGNETS, CONNECTOR]),
     blame: Blame::Levers,
     in_search: InSearch::Constraints { subjects: &[""], binds: false },
     found: Found::By(&[Pass::quick(check)]),
@@ -148,6 +149,7 @@ fn levers_of(obstacle: &Placed) -> &'static [&'static str] {
         // What belongs to a module is beside or under the sleeve's height: no clearance inside of the sleeve moves it.
         _ if obstacle.body.module.is_some() => UNDER_RODS,
         Kind::Bought("flow_sensor") => SENSOR,
+        Kind::Bought("tie") => MAGNET_TOWER,
         Kind::Bought("flight_controller" | "motor_controller") => BOARDS,
         _ => CLEARANCES,
     }

@@ -4,7 +4,8 @@
 
 use super::finding::{Finding, Verdict};
 use super::interference::{
-    self, ACCESSORY, BAY, CAMERA, COMPUTER, KNEE_WINDOW, LOWER_BAY, LOWER_STACK, MOTOR_SCREWS, PLUG_FIT, SENSOR, SLEEVE, STACK, TIE_HOLES,
+    self, ACCESSORY, BAY, CAMERA, COMPUTER, KNEE_WINDOW, LOWER_BAY, LOWER_STACK, MAGNET_TOWER, MOTOR_SCREWS, PLUG_FIT, SENSOR, SLEEVE,
+    STACK, TIE_HOLES,
 };
 use super::measure::Measure;
 use super::rule::{Blame, Found, InSearch, Levers, Pass, Rule};
@@ -44,6 +45,7 @@ pub static RULE: Rule = Rule {
         COMPUTER,
         LOWER_BAY,
         LOWER_STACK,
+        MAGNET_TOWER,
         MOTOR_SCREWS,
         PLUG_FIT,
         SENSOR,
@@ -110,10 +112,12 @@ fn in_the_way(scene: &Scene, fold: &FoldSequence) -> Finding {
     measure(value, 0.0, "mm3", levers).at_most("fold: way".into(), message)
 }
 
-/// What drives the way of a mount on which two bodies meet: battery and lid slide in under the rods of the bottom ring.
-fn mount_levers(bodies: &[String; 2]) -> &'static [&'static str] {
+/// What drives the way of a mount on which two bodies meet: battery and lid slide in under the rods of the bottom ring, and others have a fit of
+/// their own.
+fn mount_levers(scene: &Scene, bodies: &[String; 2]) -> &'static [&'static str] {
     let is = |names: &[&str]| bodies.iter().any(|body| names.iter().any(|name| body.starts_with(name)));
-    if is(&["battery_lid", "battery"]) && is(&["cage_", "strut_", "leg_"]) { UNDER_RODS } else { MOUNTED }
+    let slides_under = is(&["battery_lid", "battery"]) && is(&["cage_", "strut_", "leg_"]);
+    if slides_under { UNDER_RODS } else { interference::levers_of(scene, bodies).unwrap_or(MOUNTED) }
 }
 
 /// What is in the way of a mount.
@@ -130,7 +134,7 @@ fn mounted(scene: &Scene, fold: &FoldSequence) -> Finding {
         }
         None => format!("nothing is in the way of what is mounted: {pairs} pairs of bodies"),
     };
-    let levers = met.map_or(MOUNTED, |(_, meeting)| mount_levers(&meeting.bodies));
+    let levers = met.map_or(MOUNTED, |(_, meeting)| mount_levers(scene, &meeting.bodies));
     measure(value, 0.0, "mm3", levers).at_most("mounting: way".into(), message)
 }
 
@@ -202,9 +206,13 @@ mod tests {
 
     #[test]
     fn planted_a_battery_that_meets_a_rod_names_what_lifts_the_rod_or_lowers_the_battery() {
-        let meets = |a: &str, b: &str| mount_levers(&[a.into(), b.into()]);
+        let frame = Planted::preset("cognifly");
+        let scene = Scene::new(&frame.design, &frame.masses);
+        let meets = |a: &str, b: &str| mount_levers(&scene, &[a.into(), b.into()]);
         assert_eq!(meets("battery_lid", "cage_BL_bottom"), UNDER_RODS);
-        assert_eq!(meets("flight_controller", "battery_bracket"), MOUNTED);
+        assert_eq!(meets("flight_controller", "battery_bracket"), BAY);
+        assert_eq!(meets("flow_sensor", "battery_sleeve"), SENSOR);
+        assert_eq!(meets("motor_FR", "cage_FR_top"), MOUNTED);
     }
 
     #[test]

@@ -38,6 +38,8 @@ pub(super) const CAMERA: &[&str] = &["camera.camera_reach_mm", "camera.camera_li
 pub(super) const ACCESSORY: &[&str] = &["accessories.accessory_side_mm", "accessories.mast_back_mm", "accessories.fpv_above_mm"];
 /// What widens the holes of a tie, or is a narrower one.
 pub(super) const TIE_HOLES: &[&str] = &["bought.tie", "hub.hub_tie_hole_diameter_mm", "bracket.tie_slot_width_mm"];
+/// What raises the tower of the lid's magnet, under the ties that run over the bracket's posts.
+pub(super) const MAGNET_TOWER: &[&str] = &["bracket.magnet_wall_mm", "bracket.bracket_roof_mm"];
 pub(super) const SENSOR: &[&str] = &["sleeve.sensor_reach_mm", "bought.flow_sensor"];
 
 pub static RULE: Rule = Rule {
@@ -61,6 +63,7 @@ pub static RULE: Rule = Rule {
         CAMERA,
         SENSOR,
         TIE_HOLES,
+        MAGNET_TOWER,
         ACCESSORY,
     ]),
     blame: Blame::Levers,
@@ -112,6 +115,7 @@ fn meant(scene: &Scene, a: &Placed, b: &Placed) -> (f64, &'static [&'static str]
         () if has("stack_screw") && is(PartName::Hub) => (in_hub, stack),
         () if HUNG.into_iter().any(has) && is(PartName::BatteryBracket) => (0.0, bay),
         () if STACK_BODIES.into_iter().any(has) => (0.0, stack),
+        () if has("tie") && is(PartName::BatteryLid) => (0.0, MAGNET_TOWER),
         () if has("tie") => (0.0, TIE_HOLES),
         () if has("camera") => (0.0, CAMERA),
         () if has("computer") => (0.0, COMPUTER),
@@ -201,6 +205,29 @@ mod tests {
                 assert_eq!(met.levers, levers, "{}", met.subject);
             }
         }
+    }
+
+    /// Both of its levers lower the tower, or lift the ties: tried.
+    #[test]
+    fn planted_a_magnet_tower_that_meets_the_tie_names_what_raises_it() {
+        let tall = |wall_mm: f64, roof_mm: f64| {
+            let found = Planted::frame(|frame| {
+                let bracket = &mut frame.bracket;
+                (bracket.magnet_width_mm, bracket.magnet_clearance_mm) = (5.9, 0.4);
+                (bracket.magnet_wall_mm, bracket.bracket_roof_mm) = (wall_mm, roof_mm);
+            });
+            violated(&found.found(check)).into_iter().map(|finding| finding.levers.concat()).collect::<Vec<_>>()
+        };
+        assert_eq!(tall(3.0, 2.0), [MAGNET_TOWER.concat()]);
+        assert_eq!(tall(1.5, 2.0), Vec::<String>::new());
+        assert_eq!(tall(3.0, 3.0), Vec::<String>::new());
+    }
+
+    /// The bores of the arms ended where their sockets do, and an arch that reaches beyond these stood in the way of the rods.
+    #[test]
+    fn regress_a_wide_arch_lets_the_arms_pass() {
+        let wide = Planted::frame(|frame| (frame.hub_joint.arch_width_mm, frame.hub_joint.hub_leg_root_mm) = (8.0, 9.04));
+        assert_eq!(violated(&wide.found(check)), []);
     }
 
     #[test]

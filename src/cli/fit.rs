@@ -18,6 +18,7 @@ use crate::impact::effects::{Channel, Model};
 use crate::impact::fit;
 use crate::impact::fit::{Chosen, Fit, FitError, Keep, LEAST_RESAMPLED, Layout, LeftOut, Likelihood, PaperObjective};
 use crate::impact::measured::DropSet;
+use crate::impact::sim::{SolverOptions, System, simulate};
 use crate::report::chart::fit_plots;
 use crate::report::data::fit_data;
 
@@ -100,6 +101,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let (chosen, reason) = chosen(args, &set, &layout.model, keep).map_err(usage)?;
     layout.model.sensor.channel = chosen.channel;
     let (fitted, numbers) = fitted(args, &chosen, &layout).map_err(usage)?;
+    let warnings = warnings(&fitted);
     let run = fit_data::Run {
         fit: &fitted,
         chosen: &chosen,
@@ -107,6 +109,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         numbers,
         bootstrap: args.bootstrap,
         seed: args.seed,
+        warnings: &warnings,
     };
     let json = fit_data::json(&run);
     let mut files = fit_plots::plots(&run)
@@ -119,7 +122,12 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         terminal::print_json(&json)?;
     } else if !common.quiet {
         let notes: String = reason.iter().chain(&set.notes).map(|note| format!("note: {note}\n")).collect();
-        terminal::print(&format!("{}{notes}{}: {} files\n", table(&fitted, &chosen, args, numbers), place.display(), files.len()))?;
+        terminal::print(&format!(
+            "{}{notes}{}: {} files\n",
+            table(&fitted, &chosen, args, numbers, &warnings),
+            place.display(),
+            files.len()
+        ))?;
     }
     Ok(ExitCode::SUCCESS)
 }
@@ -167,13 +175,45 @@ fn fitted(args: &Args, chosen: &Chosen, layout: &Layout) -> Result<(Fit, Option<
 }
 
 /// What the distance says of the model.
-fn verdict(p: Option<f64>) -> String {
-    let Some(p) = p else { return String::new() };
+fn verdict(fit: &Fit) -> String {
+    let Some(p) = fit.p else { return String::new() };
     let told = format!(", p = {} by simulated sets", p_value(p));
-    if p < RARE { format!("{told}: the model lacks an effect") } else { told }
+    // The least that so many sets can say.
+    let is_least = p * (fit.resampled + 1) as f64 <= 1.5;
+    match () {
+        () if p < RARE => format!("{told}: the model lacks an effect"),
+        () if is_least => {
+            format!("{told}: none of the {} is that far off; give --bootstrap 200 to see whether the model lacks an effect", fit.resampled)
+        }
+        () => told,
+    }
 }
 
-fn table(fit: &Fit, chosen: &Chosen, args: &Args, numbers: Option<usize>) -> String {
+/// What is said below the parameters: whether intervals hold, and how the fitted model is wrong.
+fn doubts(fit: &Fit, warnings: &[(f64, String)]) -> String {
+    let mut text = String::new();
+    if fit.p.is_some_and(|p| p < RARE) {
+        text += "the intervals hold where the model does: `flexframe diagnose` looks for what it lacks\n";
+    } else if fit.p.is_none() && fit.resampled == 0 {
+        text += "without other fits nothing is said of whether the model holds: --bootstrap 200 does\n";
+    }
+    for (height_m, warning) in warnings {
+        text += &format!("warning  {height_m} m: {warning}\n");
+    }
+    text
+}
+
+/// How the fitted model is wrong, at each height.
+fn warnings(fit: &Fit) -> Vec<(f64, String)> {
+    let system = System::new(&fit.model);
+    let of = |height_m: f64| {
+        let warnings = simulate(&system, height_m, &SolverOptions::REPORT).warnings;
+        warnings.into_iter().map(move |warning| (height_m, warning.to_string()))
+    };
+    fit.waves.iter().flat_map(|(height_m, _)| of(*height_m)).collect()
+}
+
+fn table(fit: &Fit, chosen: &Chosen, args: &Args, numbers: Option<usize>, warnings: &[(f64, String)]) -> String {
     let DropBody { mass_kg, gap_m, origin, .. } = &fit.model.body;
     let mut text = format!("mass {:.1} g and gap {:.1} mm of {origin}\n", mass_kg * 1e3, gap_m * 1e3);
     let channel = match chosen.channel {
@@ -192,7 +232,7 @@ fn table(fit: &Fit, chosen: &Chosen, args: &Args, numbers: Option<usize>) -> Str
     text += &match numbers {
         Some(numbers) => {
             let free = numbers - fit.estimates.len();
-            format!("\nwhitened distance of the mean waves: {start:.1}, fitted {end:.1}, {free} degrees of freedom{}\n", verdict(fit.p))
+            format!("\nwhitened distance of the mean waves: {start:.1}, fitted {end:.1}, {free} degrees of freedom{}\n", verdict(fit))
         }
         None => format!("\nthe paper's objective: {start:.4}, fitted {end:.4}\n"),
     };
@@ -203,6 +243,7 @@ fn table(fit: &Fit, chosen: &Chosen, args: &Args, numbers: Option<usize>) -> Str
         text +=
             &format!("{:<16} {:<12} {:>10.4} {:>12.4}   {interval}{bound}\n", estimate.key, estimate.unit, estimate.start, estimate.value);
     }
+    text += &doubts(fit, warnings);
     text.push('\n');
     text
 }

@@ -92,14 +92,21 @@ fn tell(last: Option<Evaluation>, now: Evaluation, saved: Instant, common: &Comm
         }
         None => now,
     };
-    terminal::print(&format!("{}; {:.2} s after the save\n", state(&now), saved.elapsed().as_secs_f64()))?;
+    terminal::print(&format!("{}; {:.2} s after the save\n{}", state(&now), saved.elapsed().as_secs_f64(), violations(&now)))?;
     Ok(now)
+}
+
+/// What is violated, a line each, whether it was before or not.
+fn violations(evaluation: &Evaluation) -> String {
+    let broken = evaluation.findings.iter().filter(|finding| finding.verdict == Verdict::Violated);
+    broken.map(|finding| format!("violated: {}\n", finding.message)).collect()
 }
 
 fn state(evaluation: &Evaluation) -> String {
     let violated = evaluation.findings.iter().filter(|f| f.verdict == Verdict::Violated).count();
     let (name, mass_g) = (&evaluation.design.frame.name, evaluation.masses.total_g);
-    format!("{name}: {mass_g:.1} g, {violated} limits violated (`check` moves the parts through the fold, too)")
+    let limits = if violated == 1 { "limit" } else { "limits" };
+    format!("{name}: {mass_g:.1} g, {violated} {limits} violated (`check` moves the parts through the fold, too)")
 }
 
 fn named(files: &[PathBuf]) -> String {

@@ -207,6 +207,10 @@ impl Reason {
         match self {
             Self::Syntax { has_comma: true, .. } => "write a decimal number with a point, such as 200.5, or a text in quotes".into(),
             Self::Syntax { .. } => "mend the line; https://toml.io shows the form".into(),
+            Self::UnknownKey { key, nearest: n } if n.is_empty() && key.starts_with("override.") => {
+                let kind = key.split('.').nth(1).unwrap_or_default();
+                keys_of(kind.strip_suffix('s').unwrap_or(kind)).into()
+            }
             Self::UnknownKey { nearest: n, .. } => nearest(n),
             Self::Renamed { now, .. } => now.clone(),
             Self::UnknownName { kind, nearest: n, .. } if n.is_empty() => known_names(kind),
@@ -312,6 +316,8 @@ impl Refusal {
 
 /// Longest name that is compared with known ones, bytes.
 const LONGEST_NAME: usize = 200;
+/// A name that is part of a longer one counts from so many letters on.
+const LEAST_PART: usize = 5;
 
 /// The known names nearest to a mistyped one, best first, two at the most; capitals, spaces and underscores make no difference.
 pub fn nearest<'a>(wrong: &str, known: impl IntoIterator<Item = &'a str>) -> Vec<String> {
@@ -323,7 +329,11 @@ pub fn nearest<'a>(wrong: &str, known: impl IntoIterator<Item = &'a str>) -> Vec
     let wrong = plain(wrong);
     let mut scored: Vec<(f64, &str)> = known.into_iter().map(|name| (strsim::jaro_winkler(&wrong, &plain(name)), name)).collect();
     scored.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(b.1)));
-    scored.into_iter().take(2).filter(|(score, _)| *score > 0.8).map(|(_, name)| name.to_string()).collect()
+    let is_part = |name: &str| wrong.len() >= LEAST_PART && plain(name).contains(&wrong);
+    let named =
+        |near: &dyn Fn(&(f64, &str)) -> bool| scored.iter().filter(|one| near(one)).take(2).map(|(_, name)| name.to_string()).collect();
+    let alike: Vec<String> = named(&|(score, _)| *score > 0.8);
+    if alike.is_empty() { named(&|(_, name)| is_part(name)) } else { alike }
 }
 
 #[cfg(test)]
@@ -341,6 +351,8 @@ mod tests {
         assert_eq!(nearest("PLA", ["abs", "pla", "tpu-95a"]), ["pla"]);
         assert_eq!(nearest("Prusa MK4", ["prusa-mini", "prusa-mk4"])[0], "prusa-mk4");
         assert_eq!(nearest("knee-bend_deg", ["arm_pitch_deg", "knee_bend_deg"])[0], "knee_bend_deg");
+        // What is part of a name is meant by it, where nothing looks more like it.
+        assert_eq!(nearest("pattern_mm", ["mass_g", "hole_pattern_mm"]), ["hole_pattern_mm"]);
     }
 
     #[test]

@@ -50,7 +50,7 @@ fn grip_mm(frame: &Frame) -> f64 {
 }
 
 /// The relations that hold for every frame, in the order in which they are asked.
-static RELATIONS: [Relation; 17] = [
+static RELATIONS: [Relation; 19] = [
     Relation {
         key: "hub_joint.hub_joint_diameter_mm",
         what: "the wall of the hub joint's sockets",
@@ -180,6 +180,22 @@ static RELATIONS: [Relation; 17] = [
         least_mm: |_| 0.0,
     },
     Relation {
+        key: "sleeve.lug_front_mm",
+        what: "the distance of the front lugs' edges from the sleeve's rim",
+        remedy: "raise lug_front_mm or lower lug_width_mm: the lugs would stand out beyond the rim",
+        of: ANY,
+        value_mm: |f| f.sleeve.lug_front_mm - 0.5 * f.sleeve.lug_width_mm,
+        least_mm: |_| 0.0,
+    },
+    Relation {
+        key: "sleeve.lug_rear_mm",
+        what: "the distance of the rear lugs' edges from the sleeve's rim",
+        remedy: "raise lug_rear_mm or lower lug_width_mm: the lugs would stand out beyond the rim",
+        of: ANY,
+        value_mm: |f| f.sleeve.lug_rear_mm - 0.5 * f.sleeve.lug_width_mm,
+        least_mm: |_| 0.0,
+    },
+    Relation {
         key: "corner.corner_hinge_thickness_mm",
         what: "the notch above the hinge's web",
         remedy: "lower corner_hinge_thickness_mm: the web would fill the socket's height",
@@ -290,7 +306,7 @@ mod tests {
     type Bound = (fn(&mut Frame) -> &mut f64, f64, bool, &'static str);
 
     /// The bounds of the relations, each solved by hand for one of its numbers, mm.
-    fn bounds(frame: &Frame) -> [Bound; 19] {
+    fn bounds(frame: &Frame) -> [Bound; 21] {
         let (hub, joint, mount, fork, rods) = (&frame.hub, &frame.hub_joint, &frame.motor_mount, &frame.fork, &frame.rods);
         let carrier = &frame.pi_carrier;
         let (bore_mm, grip_mm) = (rods.rod_diameter_mm + frame.fit.slide_clearance_mm, rods.rod_diameter_mm + frame.fit.grip_clearance_mm);
@@ -344,6 +360,8 @@ mod tests {
                 "the knee, with a millimetre of play",
             ),
             (|f| &mut f.bracket.wire_hole_pitch_up_mm, rows_mm / 2.0, false, "the wall below the bracket's lowest wire holes"),
+            (|f| &mut f.sleeve.lug_front_mm, frame.sleeve.lug_width_mm / 2.0, true, "the front lugs' edges"),
+            (|f| &mut f.sleeve.lug_rear_mm, frame.sleeve.lug_width_mm / 2.0, true, "the rear lugs' edges"),
             (|f| &mut f.corner.corner_hinge_thickness_mm, frame.corner.corner_wall_mm + grip_mm / 2.0 + 0.6, false, "the notch above"),
         ]
     }

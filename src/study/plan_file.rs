@@ -11,6 +11,7 @@ use super::plan_keys::{impossible, named, none_of, only_known, text, whole};
 use super::recovery;
 use super::samples::samples;
 use super::sampling::{Layers, NAMES, SOBOL_DIMENSIONS, Sampling, most_rows};
+use super::sobol_indices::LEAST_GROUPS;
 use crate::mechanics::settings::MechanicsSettings;
 use crate::params::files::Files;
 use crate::params::frame_file::{Entry, Value};
@@ -151,13 +152,17 @@ fn number_axis(file: &ImpactFile, key: &str) -> Result<Axis, Refusal> {
     let typed = key.strip_prefix("vary.").unwrap_or(key);
     let parameter = lookup(typed)
         .map_err(|error| file.refuse(key, impossible(error.to_string(), "`flexframe params` lists the keys of numbers".into())))?;
+    let no_range = || {
+        let message = format!("`{key}` is no range");
+        file.refuse(key, impossible(message, format!("give [LEAST, MOST] within {} to {}", parameter.min, parameter.max)))
+    };
+    if file.entries.get(key).is_some_and(|entry| matches!(entry.value, Value::Text(_) | Value::Number(_))) {
+        return Err(no_range());
+    }
     let bounds = file.numbers(key, [parameter.min, parameter.max], parameter.unit())?;
     match bounds[..] {
         [least, most] if least <= most => Ok(Axis::Number(Vary { parameter, bounds: [least, most] })),
-        _ => {
-            let message = format!("`{key}` is no range");
-            Err(file.refuse(key, impossible(message, format!("give [LEAST, MOST] within {} to {}", parameter.min, parameter.max))))
-        }
+        _ => Err(no_range()),
     }
 }
 
@@ -188,7 +193,8 @@ fn name_axis(file: &ImpactFile, key: &str, base: &FrameFile, before: &mut usize)
 fn sampling(file: &ImpactFile, axes: &[Axis]) -> Result<Sampling, Refusal> {
     let name = NAMES[file.word("sampling", &NAMES)?];
     none_of(file, &[if name == "grid" { "samples" } else { "points" }], &format!("sampling = \"{name}\""))?;
-    let samples = whole(file, "samples", [1.0, most_rows(name) as f64])?.unwrap_or(SAMPLES);
+    let least = if name == "saltelli" { LEAST_GROUPS } else { 1 };
+    let samples = whole(file, "samples", [least as f64, most_rows(name) as f64])?.unwrap_or(SAMPLES);
     let dimensions = if name == "saltelli" { 2 * axes.len() } else { axes.len() };
     if matches!(name, "sobol" | "saltelli") && dimensions > SOBOL_DIMENSIONS {
         let message = format!("{} axes are too many for Sobol' points", axes.len());

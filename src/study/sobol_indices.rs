@@ -55,7 +55,7 @@ pub enum IndicesError {
 }
 
 /// Fewest groups that tell a share.
-const LEAST_GROUPS: usize = 4;
+pub(super) const LEAST_GROUPS: usize = 4;
 
 /// One group: the figure at A, at each mixture, and at B.
 struct Group {

@@ -243,8 +243,11 @@ impl<'a> Bench<'a> {
             before.is_some_and(|k| f.margin >= k.margin - WORSE * k.limit.abs())
         };
         let found = checks::check_by(&all_but_the_fold(), Cost::Slow, &design, &masses);
-        let new = found.iter().find(|f| f.verdict == Verdict::Violated && !known(f));
-        let breaks = new.map(|f| format!("{} ({})", f.rule, f.subject));
+        let new: Vec<&Finding> = found.iter().filter(|f| f.verdict == Verdict::Violated && !known(f)).collect();
+        let breaks = new.first().map(|f| {
+            let more = if new.len() > 1 { format!(" and {} more", new.len() - 1) } else { String::new() };
+            format!("{} ({}){more}", f.rule, f.subject)
+        });
         Some(Remedy { key: key.into(), from, to, heavier_g: masses.total_g - self.mass_g, breaks })
     }
 }

@@ -21,7 +21,7 @@ pub struct Remedy {
     pub to: String,
     /// By how much the frame gets heavier, g.
     pub heavier_g: f64,
-    /// What is violated then that was not before, the first of it.
+    /// What is violated then that was not before: the first of it, and how much more.
     pub breaks: Option<String>,
 }
 

@@ -1,6 +1,6 @@
 //! Bought parts go together: rods with what the bill of materials says they are, screws with the holes and threads that take them,
 //! boards with the holes that carry them, propellers with their motors and inside of the cage, the battery, magnets and power connector with the sizes that the frame is
-//! made for. A warning is given of accessories that stand out of the cage, and of rods and plugs that nothing holds.
+//! made for. A warning is given of accessories that stand out of the cage, of a slender mast, and of rods, plugs, magnets and a connector that nothing holds.
 //!
 //! What is compared is what the catalogue states and what the frame has. A figure that an entry does not state is not compared.
 
@@ -11,11 +11,12 @@ mod comparison;
 mod holes;
 mod loose;
 mod made_for;
+mod pockets;
 mod propellers;
 mod rods;
 mod screws;
 
-use above_ring::{FPV_CAMERA, MAST, RISER};
+use above_ring::{FPV_CAMERA, MAST, RISER, SLENDER};
 use battery::{HEIGHT, LENGTH, WIDTH};
 use carrier::{CARRIER_HOLES, ON_BOARD, ON_FEET};
 use comparison::ID;
@@ -25,6 +26,7 @@ use holes::{
 };
 use loose::{GRIP, PLUGS, SLIDE};
 use made_for::{CONNECTOR, MAGNET, PROPELLER};
+use pockets::{APART, CLEARANCE, STEP};
 use propellers::{CAGE, SEAT};
 use rods::{ROD, ROD_ALONE, STOCK};
 use screws::{MOTOR_HEAD, MOTOR_LENGTH, MOTOR_THREAD, ON_STACK, STACK_FLOOR, STACK_HEAD, STACK_LENGTH, STACK_THREAD};
@@ -73,6 +75,7 @@ pub static RULE: Rule = Rule {
         TIED,
         SLOTS,
         MAST,
+        SLENDER,
         FPV_CAMERA,
         RISER,
         LENGTH,
@@ -87,6 +90,9 @@ pub static RULE: Rule = Rule {
         GRIP,
         PLUGS,
         SLIDE,
+        CLEARANCE,
+        APART,
+        STEP,
     ]),
     blame: Blame::Levers,
     in_search: InSearch::Constraints {
@@ -112,8 +118,10 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     found.extend(propellers::cage(scene));
     found.extend(above_ring::propellers(scene));
     found.extend(above_ring::accessories(scene));
+    found.extend(above_ring::mast(&scene.design.frame));
     found.extend(battery::sizes(&scene.design.frame));
     found.extend(made_for::sizes(&scene.design.frame));
+    found.extend(pockets::held(&scene.design.frame));
     found.extend(loose::rods_and_plugs(&scene.design.frame));
     found
 }

@@ -8,9 +8,12 @@ use crate::checks::measure::Measure;
 use crate::checks::printing::hung::Hung;
 use crate::checks::rule::{Blame, Found, InSearch, Levers, Limit, Rule};
 use crate::frame::assembly::{Design, Printed};
+use crate::params::PartName;
 use crate::printing::printability::Footing;
 
 const LEVERS: &[&str] = &["printer"];
+/// The fork's bar is all that it stands on, where that is higher than its sockets are wide.
+const FORK: &[&str] = &["fork.fork_bar_height_mm", "printer"];
 
 pub static RULE: Rule = Rule {
     id: "footing",
@@ -18,7 +21,7 @@ pub static RULE: Rule = Rule {
     requires: "each part stands on its first layer while it is printed",
     units: &["mm2", "deg", ""],
     limits: &[Limit::Printer],
-    levers: Levers::Sets(&[LEVERS]),
+    levers: Levers::Sets(&[LEVERS, FORK]),
     blame: Blame::Levers,
     in_search: InSearch::AtTheEnd("all layers of all parts are looked at"),
     found: Found::WithAnother,
@@ -40,20 +43,27 @@ pub(in crate::checks) fn findings(hung: &Hung, design: &Design, part: &Printed) 
     let (name, printer) = (part.name, &design.frame.printer);
     let footing = Footing::of(part, &hung.process, &hung.supported());
     let Footing { contact_mm2, tip, slender } = &footing;
-    let measure = |value: f64, limit: f64, unit| Measure { rule: RULE.id, value, limit, unit, levers: LEVERS };
+    let levers = if name == PartName::Fork { FORK } else { LEVERS };
+    let measure = |value: f64, limit: f64, unit| Measure { rule: RULE.id, value, limit, unit, levers };
     let contact = measure(*contact_mm2, printer.least_contact_mm2.unwrap_or(CONTACT_MM2), "mm2");
     let [area, least] = contact.figures(0);
     let tilt = measure(tip.to_deg(), printer.least_tip_deg.unwrap_or(TIP_DEG), "deg");
     let [angle, least_angle] = tilt.figures(0);
     let tall = measure(*slender, printer.most_slender.unwrap_or(SLENDER), "");
     let [ratio, most] = tall.figures(1);
+    // Less than nothing: the weight is that far beyond the edge.
+    let tips = if tip.to_deg() < 0.0 {
+        format!("does not stand, as its weight is not over its first layer; it tips over at {angle} deg")
+    } else {
+        format!("tips over at {angle} deg")
+    };
     let remedy = "print it with a wider brim (`brim_mm` of its material) or lay it down";
     [
         contact.at_least(
             format!("{name}: contact"),
             format!("the contact area of {name} with the bed is {area} mm2, at least {least}: else lay it down"),
         ),
-        tilt.at_least(format!("{name}: tilt"), format!("{name} tips over at {angle} deg, at least {least_angle}: else {remedy}")),
+        tilt.at_least(format!("{name}: tilt"), format!("{name} {tips}, at least {least_angle}: else {remedy}")),
         tall.at_most(
             format!("{name}: height"),
             format!("{name} is {ratio} times as high as its first layer is wide, at most {most}: else {remedy}"),

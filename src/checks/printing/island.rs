@@ -29,3 +29,24 @@ pub(in crate::checks) fn finding(hung: &Hung) -> Finding {
     };
     hung.judged(measure, &what)
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::checks::planted::{Planted, violated};
+    use crate::checks::printing::overhang::check;
+
+    /// A layer of this knee has slivers a hundredth of a square millimetre large that are apart from the layer below by a twentieth of a millimetre,
+    /// on a body that stands on it.
+    #[test]
+    fn regress_a_sliver_of_a_body_that_stands_is_no_island() {
+        for strut_mm in [67.9, 68.0, 68.01] {
+            let found = Planted::frame(|frame| {
+                (frame.rods.cage_rod_length_mm, frame.rods.arm_rod_length_mm, frame.rods.strut_rod_length_mm) = (285.0, 140.0, strut_mm);
+                (frame.hub_joint.arm_pitch_mm, frame.hub.hub_mouth_mm, frame.motor_mount.motor_position_mm) = (31.0, 30.0, 116.5);
+            });
+            let knee: Vec<_> =
+                violated(&found.found(check)).into_iter().filter(|f| f.rule == "island" && f.subject.contains("knee")).collect();
+            assert_eq!(knee, [], "{strut_mm} mm");
+        }
+    }
+}

@@ -116,7 +116,7 @@ impl HubJoint {
             leg,
         ]);
         let mut cutters = self.scallops(&arch);
-        cutters.extend(self.bores());
+        cutters.extend(self.bores(&arch));
         body.minus(cutters)
     }
 
@@ -162,12 +162,17 @@ impl HubJoint {
         Feature::intersection([ring, between_arms])
     }
 
+    /// How far ahead of the hub's face the cheeks reach, mm: as far as the arch's outer circle where it meets the sockets' walls.
+    fn cheek_front_mm(&self, arch: &Arch) -> f64 {
+        let wall = self.inner_wall_mm();
+        arch.centre_mm + libm::sqrt(arch.outer_mm * arch.outer_mm - wall * wall)
+    }
+
     /// Block that carries the arch's end into an arm socket. Its top and underside are the arch's and end just before they touch the socket: a
     /// hundredth lower they would cross it in slivers.
     fn cheek(&self, arch: &Arch) -> Feature {
-        let (r, wall) = (self.radius_mm(), self.inner_wall_mm());
-        let front = arch.centre_mm + libm::sqrt(arch.outer_mm * arch.outer_mm - wall * wall);
-        Feature::cuboid_between([0.0, self.cheek_side_mm(), -r], [front, 0.5 * self.arm_pitch_mm - SINK_MM, r])
+        let r = self.radius_mm();
+        Feature::cuboid_between([0.0, self.cheek_side_mm(), -r], [self.cheek_front_mm(arch), 0.5 * self.arm_pitch_mm - SINK_MM, r])
     }
 
     /// Block behind the leg socket, ended by the arch's outer circle.
@@ -191,10 +196,12 @@ impl HubJoint {
         both.iter().flat_map(|g| [g.clone(), g.clone().mirrored(Vector3::y())]).collect()
     }
 
-    fn bores(&self) -> Vec<Feature> {
+    /// The bores of arms and leg. A wide arch, or one that is carried far out, reaches beyond the arms' sockets: the rods pass through it.
+    fn bores(&self, arch: &Arch) -> Vec<Feature> {
         let (y, radius) = (0.5 * self.arm_pitch_mm, 0.5 * self.bore_mm);
+        let out = self.arm_depth_mm.max(self.cheek_front_mm(arch));
         let from_to = |x0: f64, x1: f64, y: f64| Feature::bore_between(Point3::new(x0, y, 0.0), Point3::new(x1 + PAST_MM, y, 0.0), radius);
-        vec![from_to(0.0, self.arm_depth_mm, y), from_to(0.0, self.arm_depth_mm, -y), from_to(self.leg_bottom_mm(), self.leg_mouth_mm, 0.0)]
+        vec![from_to(0.0, out, y), from_to(0.0, out, -y), from_to(self.leg_bottom_mm(), self.leg_mouth_mm, 0.0)]
     }
 }
 

@@ -1,5 +1,7 @@
 //! Which of the drops that were read a fit takes.
 
+use std::collections::BTreeMap;
+
 use super::waves::{Unusable, Waves};
 use crate::impact::effects::{CATALOGUE, Channel};
 use crate::impact::measured::{
@@ -239,7 +241,24 @@ impl<'a> Chosen<'a> {
             t_s: drop.record.t_s.clone(),
             accel_g: self.series(drop.record),
         };
-        Waves::of(&self.drops.iter().zip(self.names()).map(drop).collect::<Vec<_>>())
+        let waves = Waves::of(&self.drops.iter().zip(self.names()).map(drop).collect::<Vec<_>>());
+        waves.map_err(|unusable| match unusable {
+            Unusable::TooFew { height_m, count, .. } => Unusable::TooFew { height_m, count, left_out: self.left_out_at(height_m) },
+            other => other,
+        })
+    }
+
+    /// How many drops of a height were left out, and why most of them were, in words; empty where none were.
+    fn left_out_at(&self, height_m: f64) -> String {
+        let mut reasons: BTreeMap<&str, usize> = BTreeMap::new();
+        for left_out in self.left_out.iter().filter(|left_out| left_out.height_m == height_m) {
+            *reasons.entry(left_out.reason.split(':').next().unwrap_or_default()).or_default() += 1;
+        }
+        let all: usize = reasons.values().sum();
+        let most = reasons.into_iter().max_by_key(|(_, count)| *count);
+        most.map_or(String::new(), |(reason, count)| {
+            format!(", {all} were left out, {count} of them by {reason} (`flexframe measure` says more)")
+        })
     }
 
     /// What of a record is compared, g.

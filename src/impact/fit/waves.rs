@@ -78,12 +78,14 @@ pub enum Unusable {
         first_ms: f64,
     },
     /// The trial covariance, in whose units a gap is judged, cannot be estimated.
-    #[error("{height_m} m has {count} usable drops; at least {FEWEST} a height are needed to estimate the trial covariance")]
+    #[error("{height_m} m has {count} usable drops{left_out}; at least {FEWEST} a height are needed to estimate the trial covariance")]
     TooFew {
         /// Height, m.
         height_m: f64,
         /// How many.
         count: usize,
+        /// How many were left out and why most of them were, in words; empty where none were.
+        left_out: String,
     },
     /// Nothing to fit.
     #[error("there is no drop")]
@@ -132,7 +134,7 @@ impl Waves {
         let groups: Vec<WaveGroup> =
             heights.iter().map(|height_m| WaveGroup::of(*height_m, decimation(*height_m), drops, samples)).collect();
         if let Some(few) = groups.iter().find(|group| group.windows.len() < FEWEST) {
-            return Err(Unusable::TooFew { height_m: few.height_m, count: few.windows.len() });
+            return Err(Unusable::TooFew { height_m: few.height_m, count: few.windows.len(), left_out: String::new() });
         }
         Ok(Self { groups, step_s, samples, noise_g: noise_g(drops) })
     }

@@ -30,6 +30,7 @@ mod hint;
 mod impact;
 mod judged;
 mod logger;
+mod loud_noise;
 mod malformed;
 mod mixed_rates;
 mod reading;

@@ -4,6 +4,7 @@ use super::copied_records::CopiedRecords;
 use super::fall::Fall;
 use super::free_fall_offset::FreeFallOffset;
 use super::hint::Hint;
+use super::loud_noise::LoudNoise;
 use super::mixed_rates::MixedRates;
 use super::record::DropSet;
 use super::stamp_jitter::StampJitter;
@@ -33,7 +34,8 @@ fn told(set: &DropSet, of_falls: impl Fn(&[Fall]) -> Vec<String>) -> Vec<String>
         None => {
             let offsets = FreeFallOffset::all(set);
             let heights = if offsets.is_empty() { of_falls(&Fall::of(set)) } else { Vec::new() };
-            offsets.iter().map(ToString::to_string).chain(heights).chain(others).collect()
+            let noise = LoudNoise::of(set).map(|noise| noise.to_string());
+            offsets.iter().map(ToString::to_string).chain(heights).chain(noise).chain(others).collect()
         }
     }
 }

@@ -75,7 +75,8 @@ fn places(layers: &Layers, sizes: Sizes) -> Vec<Hanging> {
         closed.extend(done);
         open = still;
         for [plan, under] in over_air(below, cut, sizes) {
-            let island = under.is_empty() || plan.grown(TOUCH_MM).intersection(&under).is_empty();
+            let is_apart = under.is_empty() || plan.grown(TOUCH_MM).intersection(&under).is_empty();
+            let island = is_apart && !stands(cut, below, &plan);
             // The next layer closes a gap of two steps.
             let near = plan.grown(2.0 * sizes.step_mm + TOUCH_MM);
             let touches = |place: &Open| near.may_meet(&place.plan) && !place.plan.intersection(&near).is_empty();
@@ -94,6 +95,12 @@ fn places(layers: &Layers, sizes: Sizes) -> Vec<Hanging> {
     }
     closed.extend(open);
     closed.into_iter().filter_map(|place| place.closed(layers, sizes)).collect()
+}
+
+/// Whether a piece of a layer is of a body that lies on the layer below somewhere: such a piece hangs off that body, however far from what is below.
+fn stands(cut: &Region, below: &Region, piece: &Region) -> bool {
+    let own = cut.bodies().into_iter().filter(|body| body.may_meet(piece) && !body.intersection(piece).is_empty());
+    own.into_iter().any(|body| !body.intersection(below).is_empty())
 }
 
 /// What of a layer hangs over the one below, in pieces: its plan and what is below around it.

@@ -21,6 +21,8 @@ pub struct Run<'a> {
     pub bootstrap: usize,
     /// Their seed.
     pub seed: u64,
+    /// How the fitted model is wrong, with the height, m.
+    pub warnings: &'a [(f64, String)],
 }
 
 /// Everything.
@@ -51,5 +53,6 @@ pub fn json(run: &Run) -> Value {
         "drops": chosen.drops.len(),
         "heights": heights.iter().map(|(height_m, drops)| json!({ "height_m": height_m, "drops": drops })).collect::<Vec<_>>(),
         "left_out": chosen.left_out,
+        "warnings": run.warnings.iter().map(|(height_m, warning)| json!({ "height_m": height_m, "warning": warning })).collect::<Vec<_>>(),
     })
 }
