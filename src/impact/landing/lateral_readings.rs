@@ -151,7 +151,7 @@ mod tests {
         for (x, y) in [(3.0, 4.0), (-3.0, 4.0), (5.0, -0.1), (-2.0, -2.0_f64)] {
             let diagonals = [x + y, x - y].map(|along| vec![0.0, FRAC_1_SQRT_2 * along, 0.0]);
             let found = direction_of_longest(0..3, &diagonals).expect("there are three");
-            assert!((found - y.atan2(x)).abs() < 1e-12, "{x} {y}: {found}");
+            assert!((found - libm::atan2(y, x)).abs() < 1e-12, "{x} {y}: {found}");
         }
     }
 }
