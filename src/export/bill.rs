@@ -145,7 +145,8 @@ pub struct Bill {
 }
 
 /// What a frame with a camera for goggles needs and no role has.
-const NO_TRANSMITTER: &str = "its video transmitter and the transmitter's antenna are not included in this bill";
+const NO_TRANSMITTER: &str =
+    "its video transmitter and that one's antenna are in this bill only where the frame's file lists them as extras";
 
 /// The bill of a design.
 pub fn bill(design: &Design, masses: &MassTable, kerf_mm: Option<f64>) -> Bill {

@@ -283,9 +283,13 @@ fn regress_a_camera_for_goggles_says_that_its_transmitter_is_not_included() {
     let design = designed(concat!(env!("CARGO_MANIFEST_DIR"), "/examples/frames/four-inch-long-range.toml"));
     let bill = bill(&design, &mass::table(&design), None);
     let line = bill.buy.iter().find(|line| line.role == "fpv_camera").expect("has one");
-    assert!(line.note.contains("transmitter") && line.note.contains("antenna are not included"), "{line:?}");
+    assert!(line.note.contains("transmitter") && line.note.contains("only where the frame's file lists them"), "{line:?}");
     let step = mounted(&design).before.into_iter().find(|step| step.mount == "fpv_camera").expect("is mounted");
-    assert!(step.text.contains("video transmitter") && step.text.contains("not part of this frame"), "{}", step.text);
+    assert!(
+        step.text.contains("video transmitter") && step.text.contains("has no place of its own") && step.text.contains("Turn it up by 20°"),
+        "{}",
+        step.text
+    );
 }
 
 #[test]

@@ -129,7 +129,7 @@ pub const CABLES: [Cable; 8] = [
         radius_mm: 0.9,
         colour: [0.5, 0.15, 0.02, 1.0],
         colour_word: "red-brown",
-        plugging: "Plug the buzzer cable into the buzzer, lead it down beside the hub, between two bosses, and plug it into the buzzer's pads of the {end}.",
+        plugging: "Plug the buzzer cable into the buzzer, lead it down beside the hub, between two bosses, and join it to the leads of the buzzer's pads of the {end}, or plug it in.",
     },
     Cable {
         role: "fpv_cable",
@@ -140,7 +140,7 @@ pub const CABLES: [Cable; 8] = [
         radius_mm: 1.0,
         colour: [0.6, 0.55, 0.05, 1.0],
         colour_word: "yellow-green",
-        plugging: "Plug the FPV cable into the camera for goggles, lead it down beside the hub, between two bosses, and plug it into the camera's pads of the {end}.",
+        plugging: "Plug the FPV cable into the camera for goggles, lead it down beside the hub, between two bosses, and join it to the leads of the camera's pads of the {end}, or plug it in.",
     },
 ];
 

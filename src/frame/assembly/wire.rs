@@ -42,9 +42,9 @@ pub struct Wire {
 pub(super) const END: &str = "{end}";
 
 impl Wire {
-    /// What is done with both its ends; nothing of what is of several bodies.
-    pub fn plugged(&self) -> String {
-        self.joins.map_or_else(String::new, |[_, end]| self.plugging.replace(END, &end.replace('_', " ")))
+    /// What is done with both its ends, by what the body at its end is called; nothing of what is of several bodies.
+    pub fn plugged(&self, called: impl Fn(&'static str) -> String) -> String {
+        self.joins.map_or_else(String::new, |[_, end]| self.plugging.replace(END, &called(end)))
     }
 
     /// Length of its way, mm.

@@ -23,6 +23,11 @@ pub fn when_cut(frame: &Frame) -> String {
     }
 }
 
+/// What is worn when the rods of a frame are cut, and when they are pushed.
+pub fn worn(frame: &Frame) -> &'static [&'static str] {
+    if material(frame).1 { &["dust mask", "glasses", "gloves"] } else { &["glasses", "gloves"] }
+}
+
 /// What to take care of when a rod of a frame is pushed into a bore.
 pub(super) fn when_pushed(frame: &Frame) -> String {
     let ends = match material(frame) {
@@ -47,6 +52,10 @@ mod tests {
         assert!(carbon.contains("carbon") && carbon.contains("wet") && carbon.contains("dust mask"), "{carbon}");
         assert!(bamboo.contains("bamboo") && bamboo.contains("sand the ends"), "{bamboo}");
         assert!(["carbon", "dust", "lungs", "wet"].iter().all(|word| !bamboo.contains(word)), "{bamboo}");
+        for (preset, said) in [("cognifly", &carbon), ("cognifly-bamboo", &bamboo)] {
+            let frame = Frame::load(preset).expect("a preset").0;
+            assert!(worn(&frame).iter().all(|worn| said.contains(worn)), "{preset}: {said}");
+        }
     }
 
     #[test]

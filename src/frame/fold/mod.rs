@@ -19,7 +19,7 @@ mod task;
 mod threading;
 mod timeline;
 
-pub use cut_rods::when_cut;
+pub use cut_rods::{when_cut, worn};
 pub use depth::{Depth, depth};
 pub use flat::{FlatError, FlatState, Lying, TABLE_MM};
 pub use hinge::{HingeLoad, largest_web_strain_percent, necks, web, web_strain_percent};

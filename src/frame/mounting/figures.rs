@@ -2,7 +2,8 @@
 
 use super::carrier_screws::CarrierScrews;
 use super::fragments::instead;
-use super::mount::{BATTERY_REAR, COMPUTER_SCREWS, EXTRAS, FOOT_SCREWS, HEX_KEY, TIES};
+use super::mount::{BATTERY_REAR, COMPUTER_SCREWS, EXTRAS, FOOT_SCREWS, FPV_TILT, HEX_KEY, TIES};
+use crate::figures::decimals;
 use crate::frame::assembly::Design;
 use crate::frame::assembly::cables::unconnected;
 use crate::params::Frame;
@@ -20,6 +21,7 @@ pub(super) fn figures(design: &Design) -> Vec<(&'static str, String)> {
         (FOOT_SCREWS, feet),
         (HEX_KEY, hex_key(&design.frame)),
         (TIES, ties_told(design)),
+        (FPV_TILT, decimals(design.frame.accessories.fpv_tilt_deg, 0)),
         (EXTRAS, extras_told(design)),
     ]
 }
@@ -44,7 +46,10 @@ fn ties_told(design: &Design) -> String {
             "{of_bracket}; two through the hub's holes {{left and right}}. All four go through the carrier, too: the two in front and at the rear \
              are in it already. "
         ),
-        Some(_) => format!("{of_bracket}; two through the hub's holes {{left and right}}. All four go through the plate, too. "),
+        Some(_) => {
+            let first = if design.frame.bought.contains_key("fpv_camera") { ": the one in front is in it already" } else { "" };
+            format!("{of_bracket}; two through the hub's holes {{left and right}}. All four go through the plate, too{first}. ")
+        }
     };
     design.centre.battery_axes.words(&told)
 }
@@ -57,12 +62,19 @@ fn extras_told(design: &Design) -> String {
         let name = spaced(name);
         if replaced.is_empty() { name } else { format!("{name} (for the {replaced})") }
     };
-    let names: Vec<String> = frame.built_in_extras().map(named).collect();
+    let names: Vec<String> = frame.built_in_extras().filter(|(_, extra)| !is_told_before(frame, extra)).map(named).collect();
     let listed = match names.is_empty() {
         true => String::new(),
         false => format!(" Fasten and connect what the frame's file lists as extra, as its maker says: {}.", names.join(", ")),
     };
     format!("{listed}{}", unconnected_told(design))
+}
+
+/// Whether an earlier step names an extra and takes it in hand: it stands for the power connector, which is soldered to a board under the hub, or for the
+/// ties of the bracket.
+fn is_told_before(frame: &Frame, extra: &Extra) -> bool {
+    let replaced: Vec<&str> = frame.replaced(extra).collect();
+    !replaced.is_empty() && replaced.iter().all(|role| ["connector", "tie"].contains(role))
 }
 
 /// The sentence about what would be connected to a board under the hub that flies the frame, where an extra does.

@@ -1,6 +1,6 @@
 //! Words in the texts of mounts that depend on what a frame has bought.
 
-use super::mount::ALL_IN_ONE;
+use super::mount::{ALL_IN_ONE, BOTH_CONTROLLERS};
 use crate::params::Frame;
 
 /// Words that stand for a name between braces.
@@ -22,7 +22,7 @@ const MAGNET: &str = "magnet";
 const REPLACED: [&str; 5] = [CONTROLLER, BOARD, CONNECTOR, MAGNET, "tie"];
 
 /// All of them.
-pub(super) static FRAGMENTS: [Fragment; 22] = [
+pub(super) static FRAGMENTS: [Fragment; 23] = [
     Fragment {
         name: "{lid_now}",
         cases: &[(
@@ -67,10 +67,11 @@ pub(super) static FRAGMENTS: [Fragment; 22] = [
         name: "{power_leads}",
         cases: &[(
             &[CONNECTOR],
-            "Solder the connector's leads to the motor controller's battery pads at its {rear}, red to plus, black to minus, as the picture shows: they are the battery wires of the bill.",
+            "Solder the connector's leads to the {power_board}'s battery pads at its {rear}, red to plus, black to minus, as the picture shows: they are the battery wires of the bill.",
         )],
-        otherwise: "Solder the leads of {instead connector} to the motor controller's battery pads at its {rear}, red to plus, black to minus, and lead them to the {rear}, out of the bay.",
+        otherwise: "Solder the leads of {instead connector} to the {power_board}'s battery pads at its {rear}, red to plus, black to minus, and lead them to the {rear}, out of the bay.",
     },
+    Fragment { name: "{power_board}", cases: &[(&[ALL_IN_ONE], BOTH_CONTROLLERS)], otherwise: "motor controller" },
     Fragment {
         name: "{power_lengthened}",
         cases: &[(
@@ -151,10 +152,15 @@ pub(super) fn filled(text: &str, frame: &Frame) -> String {
     REPLACED.iter().fold(text, |text, role| text.replace(&format!("{{instead {role}}}"), &instead(frame, role)))
 }
 
+/// An extra in a sentence.
+pub(super) fn extra_called(name: &str) -> String {
+    format!("the extra \"{}\"", name.replace('_', " "))
+}
+
 /// What stands for a role of which nothing is bought, in a sentence.
 pub(super) fn instead(frame: &Frame, role: &str) -> String {
     match frame.stand_in(role) {
-        Some(name) => format!("the extra \"{}\"", name.replace('_', " ")),
+        Some(name) => extra_called(name),
         None => format!("what stands for the {}", role.replace('_', " ")),
     }
 }

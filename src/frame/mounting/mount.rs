@@ -113,6 +113,8 @@ pub struct Mount {
 
 /// In a mount's conditions: the motor controller that is the flight controller, too.
 pub(super) const ALL_IN_ONE: &str = "all_in_one";
+/// What such a board is called in a sentence.
+pub(super) const BOTH_CONTROLLERS: &str = "board of both controllers";
 
 /// In a mount's text: the sentences about cables; where it is not in the text, they follow it.
 pub(super) const PLUGGED: &str = "{cables}";
@@ -122,6 +124,8 @@ pub(super) const BATTERY_REAR: &str = "{battery_rear}";
 
 /// In a mount's text: the sentences about the holes that ties go through.
 pub(super) const TIES: &str = "{ties}";
+/// In a text: the tilt of a camera for goggles.
+pub(super) const FPV_TILT: &str = "{fpv_tilt}";
 
 /// In a mount's text: the sentence about the key of the screws that hold the boards.
 pub(super) const HEX_KEY: &str = "{hex_key}";

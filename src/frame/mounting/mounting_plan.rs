@@ -9,7 +9,7 @@ use serde::Serialize;
 
 use super::figures::figures;
 use super::fragments::filled;
-use super::mount::{ALL_IN_ONE, Fixing, Mount, PLUGGED, Stage};
+use super::mount::{ALL_IN_ONE, BOTH_CONTROLLERS, Fixing, Mount, PLUGGED, Stage};
 use super::mounts::MOUNTS;
 use super::part_lines::{PartLine, PartsSeen, fold_bodies};
 use super::way::{Compared, Ways};
@@ -305,7 +305,7 @@ impl<'a> Planning<'a> {
         let axes = self.ways.battery_axes();
         let text = axes.words(&filled(&mount.text_in(axes), self.frame));
         let text = self.figures.iter().fold(text, |text, (name, words)| text.replace(name, words));
-        let told = cables.iter().map(|cable| axes.words(&cable.plugged())).collect::<Vec<_>>().join(" ");
+        let told = cables.iter().map(|cable| axes.words(&cable.plugged(|body| called(self.frame, body)))).collect::<Vec<_>>().join(" ");
         match (text.contains(PLUGGED), told.is_empty()) {
             (true, true) => text.replace(PLUGGED, ""),
             (true, false) => text.replace(PLUGGED, &format!("{told} ")),
@@ -370,6 +370,11 @@ impl<'a> Planning<'a> {
             sweep,
         }
     }
+}
+
+/// A body in a sentence.
+fn called(frame: &Frame, body: &str) -> String {
+    if body == "motor_controller" && frame.is_all_in_one() { BOTH_CONTROLLERS.into() } else { body.replace('_', " ") }
 }
 
 /// What was found of a mount's place in an order.

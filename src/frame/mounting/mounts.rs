@@ -137,7 +137,7 @@ pub static MOUNTS: [Mount; 33] = [
             ("dampers", "the dampers sit between board and screws"),
         ],
         title: "Flight controller onto the screws",
-        text: "Solder to the board now what it has no socket for, such as the leads for a receiver: in the stack no iron gets there. With the hub's underside up, hold the flight controller so that the face with its arrow is towards the hub, and the arrow points to the front: in flight that face looks up. Push the board{with_dampers} onto the four screws. Where its plugs leave no room for that, turn the board's other face to the hub, the arrow to the front: in flight the arrow then faces the ground. Such a board needs another alignment in the flight controller's settings: roll 180 degrees.",
+        text: "Solder to the board now what it has no socket for, such as the leads for a receiver, a buzzer, a camera or a video transmitter: in the stack no iron gets there. With the hub's underside up, hold the flight controller so that the face with its arrow is towards the hub, and the arrow points to the front: in flight that face looks up. Push the board{with_dampers} onto the four screws. Where its plugs leave no room for that, turn the board's other face to the hub, the arrow to the front: in flight the arrow then faces the ground. Such a board needs another alignment in the flight controller's settings: roll 180 degrees.",
         tools: &[Tool::SolderingIron, Tool::Solder, Tool::Hands],
         caution: Some(ALIGNMENT),
         ..GLUED
@@ -186,7 +186,7 @@ pub static MOUNTS: [Mount; 33] = [
             ("dampers_in_motor_controller", "the dampers sit between board and screws"),
         ],
         title: "Board of both controllers onto the screws",
-        text: "Solder to the board now what it has no socket for, such as the leads for a receiver: in the stack no iron gets there. With the hub's underside up, hold the board so that the face with its arrow is towards the hub, and its battery pads are at the {rear}: in flight that face looks up. Push the board onto the four screws. Where its plugs leave no room for that, turn its other face to the hub: in flight the arrow then faces the ground. Such a board needs another alignment in the flight controller's settings: roll 180 degrees. An arrow that does not point to the front needs a yaw there, too.",
+        text: "Solder to the board now what it has no socket for, such as the leads for a receiver, a buzzer, a camera or a video transmitter: in the stack no iron gets there. With the hub's underside up, hold the board so that the face with its arrow is towards the hub, and its battery pads are at the {rear}: in flight that face looks up. Push the board onto the four screws. Where its plugs leave no room for that, turn its other face to the hub: in flight the arrow then faces the ground. Such a board needs another alignment in the flight controller's settings: roll 180 degrees. An arrow that does not point to the front needs a yaw there, too.",
         text_across: " With its pads its four outputs are turned a quarter: state that in the flight controller's order of motors.",
         tools: &[Tool::SolderingIron, Tool::Solder, Tool::Hands],
         caution: Some(ALIGNMENT),
@@ -316,7 +316,7 @@ pub static MOUNTS: [Mount; 33] = [
         fixing: Fixing::Tape,
         title: "Satellite receiver (GPS) onto its mast",
         text: "Stick the GPS onto the mast's shelf with foam tape, its antenna up, its arrow to the front. Tape its cable to the mast.",
-        tools: &[Tool::FoamTape],
+        tools: &[Tool::FoamTape, Tool::Tape],
         ..GLUED
     },
     Mount {
@@ -326,8 +326,8 @@ pub static MOUNTS: [Mount; 33] = [
         from: ABOVE,
         fixing: Fixing::SmallScrews,
         title: "Camera between the cheeks",
-        text: "Put the camera between the two cheeks, its lens to the front, and fix it with its two side screws. Turn it up to the tilt that the picture shows before you tighten them. Its video transmitter and the transmitter's antenna are not part of this frame: choose them with the camera.",
-        tools: &[Tool::Screwdriver],
+        text: "Put a tie down through the plate's and the hub's hole in front now, its head in front of the plate: under the camera there is little room for it. Put the camera between the two cheeks, its lens to the front, and fix it with its two side screws. Turn it up by {fpv_tilt}° before you tighten them. A video transmitter has no place of its own here: where the frame's file lists none as extra, choose one, and its antenna, with the camera.",
+        tools: &[Tool::OneTie, Tool::Screwdriver],
         ..GLUED
     },
     Mount {

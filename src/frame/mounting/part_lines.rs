@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use serde::Serialize;
 
+use super::fragments::{extra_called, filled};
 use super::mount::{Fixing, Mount};
 use crate::frame::assembly::{Body, Design};
 use crate::frame::fold::{Member, Step};
@@ -37,6 +38,8 @@ impl PartLine {
 pub(super) struct PartsSeen<'a> {
     design: &'a Design,
     seen: BTreeSet<String>,
+    /// Extras, by their names: each is beside the first step that names it, and what no step names beside that in which wires are soldered.
+    extras_seen: BTreeSet<String>,
 }
 
 /// How many pieces of a bought part a body represents; 1 for other bodies.
@@ -48,7 +51,7 @@ fn pieces(design: &Design, body: &Body, line: &str) -> f64 {
 
 impl<'a> PartsSeen<'a> {
     pub(super) fn new(design: &'a Design) -> Self {
-        Self { design, seen: BTreeSet::new() }
+        Self { design, seen: BTreeSet::new(), extras_seen: BTreeSet::new() }
     }
 
     /// The new ones of these bodies, as lines.
@@ -76,10 +79,16 @@ impl<'a> PartsSeen<'a> {
 
     pub(super) fn of_mount(&mut self, mount: &Mount) -> Vec<PartLine> {
         let mut lines = self.of(mount.brings.iter().copied().chain([mount.onto]).map(String::from));
-        if mount.fixing == Fixing::Solder {
-            let extras = self.design.frame.built_in_extras();
-            lines.extend(extras.map(|(name, _)| PartLine { part: name.clone(), count: 1.0, screw_mm: None, head_mm: None, body: None }));
-        }
+        let frame = &self.design.frame;
+        let text = filled(mount.text, frame);
+        let taken: Vec<&String> = frame
+            .built_in_extras()
+            .map(|(name, _)| name)
+            .filter(|name| mount.fixing == Fixing::Solder || text.contains(&extra_called(name)))
+            .filter(|name| !self.extras_seen.contains(*name))
+            .collect();
+        lines.extend(taken.iter().map(|name| PartLine { part: (*name).clone(), count: 1.0, screw_mm: None, head_mm: None, body: None }));
+        self.extras_seen.extend(taken.into_iter().cloned());
         lines
     }
 

@@ -31,7 +31,9 @@ pub enum Tool {
     FoamTape,
     /// A cable tie that is narrower than those of the bracket.
     SmallTie,
-    /// Two of the ties of the bracket.
+    /// One of the ties of the bracket.
+    OneTie,
+    /// Two of them.
     TwoTies,
     /// Washers of the small screws.
     Washers,
@@ -59,6 +61,7 @@ impl Tool {
             Self::DoubleSidedTape => "double-sided tape",
             Self::FoamTape => "foam tape",
             Self::SmallTie => "small tie",
+            Self::OneTie => "one of the ties",
             Self::TwoTies => "two of the ties",
             Self::Washers => "washers",
             Self::Pen => "pen for plastics",
@@ -80,6 +83,7 @@ impl Tool {
             | Self::DoubleSidedTape
             | Self::FoamTape
             | Self::SmallTie
+            | Self::OneTie
             | Self::TwoTies
             | Self::Washers => None,
         }

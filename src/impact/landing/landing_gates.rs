@@ -6,7 +6,7 @@ use super::parameter::{Kind, PARAMETERS};
 use super::sensor_attitude::ATTITUDE_SENSOR;
 use super::touch_adequacy::TouchAdequacy;
 use crate::figures::p_value;
-use crate::impact::diagnose::{Diagnosis, EffectEstimate, RARE, UNSTEADY, joined};
+use crate::impact::diagnose::{Diagnosis, EffectEstimate, RARE, UNSTEADY, Verdict, joined};
 
 /// What is said of a test that needs heights that no fit saw.
 const ONE_HEIGHT: &str = "not tested, as all drops are from one height: drops from a second one would test it";
@@ -61,7 +61,11 @@ impl LandingAssessment {
         } else {
             ONE_HEIGHT.into()
         };
-        Gate { id: "held_out", passed: gaps.held_out.net_g < base.min(best), found }
+        // A set that its own tests refuse is no explanation: it bars slopes only where it is nearer by more than the heights tell.
+        let is_refused = diagnosis.verdict == Verdict::NoneSuffices;
+        let beats = |best: f64| gaps.held_out_ci95_g.is_some_and(|[least, _]| is_refused && best >= least);
+        let nearer = gaps.held_out.net_g < best || beats(best);
+        Gate { id: "held_out", passed: gaps.held_out.net_g < base && nearer, found }
     }
 
     /// Whether single drops are predicted from their touches.

@@ -12,6 +12,8 @@ use crate::units::GRAVITY_M_S2;
 const LEAST_G: f64 = 0.3;
 /// An offset so near to -1 g is gravity that was taken off, g.
 const GRAVITY_G: f64 = 0.1;
+/// Sessions whose readings differ by less have one zero, g.
+const SAME_G: f64 = 0.1;
 /// Share of a fall, at its end, in which a hand has let go.
 const END_OF_FALL: f64 = 0.5;
 /// Before the largest reading the ground may touch already, s.
@@ -37,6 +39,8 @@ pub struct FreeFallOffset {
     pub records: usize,
     /// Median readings of x and y where they were measured, and along the axis, g.
     pub readings_g: [Option<f64>; 3],
+    /// Whether other sessions read something else: what takes this offset off gives those one.
+    pub alone: bool,
 }
 
 impl FreeFallOffset {
@@ -46,7 +50,17 @@ impl FreeFallOffset {
         for record in set.records() {
             sessions.entry(Session::name_of(record)).or_default().push(record);
         }
-        sessions.into_iter().filter_map(|(session, records)| Self::of(session, &records)).collect()
+        let count = sessions.len();
+        let mut all: Vec<Self> = sessions.into_iter().filter_map(|(session, records)| Self::of(session, &records)).collect();
+        let is_alone = all.len() < count || !all.windows(2).all(|pair| pair[0].is_like(&pair[1]));
+        all.iter_mut().for_each(|offset| offset.alone = is_alone);
+        all
+    }
+
+    /// Whether another session reads the same.
+    fn is_like(&self, other: &Self) -> bool {
+        let alike = |(a, b): (&Option<f64>, &Option<f64>)| a.zip(*b).is_none_or(|(a, b)| (a - b).abs() < SAME_G);
+        self.readings_g.iter().zip(&other.readings_g).all(alike)
     }
 
     /// Whether gravity was taken off the readings along the axis. A record of such readings has a force law of its own: the ground's force less
@@ -68,18 +82,20 @@ impl FreeFallOffset {
         let found = spreads[2]?.count;
         let is_offset = |spread: &Spread| spread.q1 > LEAST_G || spread.q3 < -LEAST_G;
         let told = 2 * found > records.len() && spreads.iter().flatten().any(is_offset);
-        told.then(|| Self { session, records: found, readings_g: spreads.map(|spread| spread.map(|spread| spread.median)) })
+        told.then(|| Self { session, records: found, readings_g: spreads.map(|spread| spread.map(|spread| spread.median)), alone: false })
     }
 }
 
-/// Median reading of an axis at the end of the fall, g; `None` where the record has too little of it, or it is not quiet.
+/// Mean reading of an axis at the end of the fall, g; `None` where the record has too little of it, or it is not quiet.
 fn in_fall_g(record: &Record, readings_g: &[f64]) -> Option<f64> {
     let peak = (0..record.len()).max_by(|a, b| record.size_g(*a).total_cmp(&record.size_g(*b)))?;
     let fall_s = (2.0 * record.height_m / GRAVITY_M_S2).sqrt();
     let at = |before_s: f64| record.t_s.partition_point(|t_s| *t_s < record.t_s[peak] - before_s);
     let falling = at(END_OF_FALL * fall_s)..at(TOUCH_S);
-    let spread = Spread::of(readings_g.get(falling).filter(|readings| readings.len() >= FALLING)?.iter().copied())?;
-    (spread.q3 - spread.q1 < QUIET_G).then_some(spread.median)
+    let readings = readings_g.get(falling).filter(|readings| readings.len() >= FALLING)?;
+    let spread = Spread::of(readings.iter().copied())?;
+    // Of readings in steps of a converter the median is one of these.
+    (spread.q3 - spread.q1 < QUIET_G).then(|| readings.iter().sum::<f64>() / readings.len() as f64)
 }
 
 /// Median reading along the axis at the begin of a record that starts shortly before the ground is touched, g. The ground may touch already, but
@@ -95,7 +111,7 @@ fn at_begin_g(record: &Record) -> Option<f64> {
 
 impl fmt::Display for FreeFallOffset {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { session, records, readings_g: [x, y, along] } = self;
+        let Self { session, records, readings_g: [x, y, along], alone } = self;
         // Two places, and no -0.00.
         let [x, y, along] = [*x, *y, *along].map(|reading| reading.map(|reading| (100.0 * reading).round() / 100.0 + 0.0));
         let along = along.unwrap_or_default();
@@ -108,7 +124,8 @@ impl fmt::Display for FreeFallOffset {
         if let (Some(x), Some(y)) = (x, y) {
             write!(f, "{x:.2},{y:.2},")?;
         }
-        write!(f, "{along:.2} for a table, --offset-counts for files of the logger")
+        write!(f, "{along:.2} for a table, --offset-counts for files of the logger")?;
+        if *alone { write!(f, ", with the drops of this session alone: the others have another zero") } else { Ok(()) }
     }
 }
 

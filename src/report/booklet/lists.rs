@@ -4,7 +4,7 @@ use crate::export::bill::{Bill, BuyLine};
 use crate::export::cutting;
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::{LineKind, MassTable};
-use crate::frame::fold::{FoldSequence, HANDS};
+use crate::frame::fold::{FoldSequence, HANDS, worn};
 use crate::frame::mounting::mounts_of;
 use crate::frame::skeleton::RodRole;
 
@@ -16,7 +16,7 @@ pub struct Lists {
     pub cuts: Vec<String>,
     /// A line each thing that the steps use up and that is not weighed: small ties, glue, wires.
     pub supplies: Vec<String>,
-    /// A line each tool that the steps name, and those that rods are cut with.
+    /// A line each tool that the steps name, and what rods are cut with and what is worn for it.
     pub tools: Vec<&'static str>,
 }
 
@@ -35,7 +35,7 @@ fn tools(design: &Design, fold: &FoldSequence) -> Vec<&'static str> {
     let mounted = mounts_of(design).into_iter().flat_map(|mount| mount.tools).filter_map(|tool| tool.lasting());
     let folded = fold.steps.iter().map(|step| step.tool).filter(|tool| *tool != HANDS);
     let mut all: Vec<&'static str> = Vec::new();
-    for tool in FOR_RODS.into_iter().chain(folded).chain(mounted) {
+    for tool in FOR_RODS.into_iter().chain(worn(&design.frame).iter().copied()).chain(folded).chain(mounted) {
         if !all.contains(&tool) {
             all.push(tool);
         }

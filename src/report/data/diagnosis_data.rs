@@ -8,7 +8,8 @@ use super::drop_data;
 use super::landing_data;
 use super::separating_experiment::SeparatingExperiment;
 use crate::impact::diagnose::{
-    Adequacy, ByHeight, Confounding, CovariateEffect, Diagnosis, EffectEstimate, FrameMode, Gap, Gaps, Ranked, StaticComparison, Verdict,
+    Adequacy, ByHeight, Confounding, CovariateEffect, Diagnosis, EffectEstimate, FrameMode, FreeFallReading, Gap, Gaps, Ranked,
+    StaticComparison, Verdict,
 };
 use crate::impact::effects::{LINEAR_DAMPER, LINEAR_SPRING};
 use crate::impact::fit::{Decimation, LeftOut};
@@ -34,6 +35,8 @@ pub struct Compared {
     pub sampling: Vec<(f64, Decimation)>,
     /// Drops left out, with the reason.
     pub left_out: Vec<LeftOut>,
+    /// What they read along the axis in free fall, for each height.
+    pub free_fall: Vec<FreeFallReading>,
     /// Held-out heights, m.
     pub held_out_heights_m: Vec<f64>,
     /// Seed.
@@ -63,6 +66,34 @@ impl Compared {
     /// Landings on one foot first that touches show, where the verdict is another one.
     pub fn landings_beside(&self) -> Option<&LandingAssessment> {
         self.landing.as_ref().filter(|landing| landing.stands_beside())
+    }
+
+    /// What drops read in free fall, where that is not nothing, in a sentence.
+    pub fn free_fall(&self) -> Option<String> {
+        let told: Vec<String> = self
+            .free_fall
+            .iter()
+            .filter(|reading| reading.is_told())
+            .map(|reading| format!("{:.2} g from {} m", reading.along_g, reading.height_m))
+            .collect();
+        (!told.is_empty()).then(|| {
+            format!(
+                "note: in free fall the axis reads {}, not 0: the sensor's zero, and drag of the air. Readings are compared as they are, and a small effect \
+                 may be named or refused for it; --zero for tables, or --offset-counts for files of the logger, takes it off and shows whether the \
+                 verdict stays",
+                told.join(", ")
+            )
+        })
+    }
+
+    /// How many drops were left out, by what is wrong with them, in a sentence.
+    pub fn left_out(&self) -> Option<String> {
+        let mut reasons: BTreeMap<&str, usize> = BTreeMap::new();
+        for left_out in &self.left_out {
+            *reasons.entry(left_out.reason.split(':').next().unwrap_or_default()).or_default() += 1;
+        }
+        let each: Vec<String> = reasons.into_iter().map(|(reason, count)| format!("{reason} ({count})")).collect();
+        (!each.is_empty()).then(|| format!("left out: {}; report.md lists them", each.join(", ")))
     }
 
     /// What the gap before is one of, where that is not the model as it was given.
@@ -185,6 +216,7 @@ pub fn json(diagnosis: &Diagnosis, compared: &Compared) -> Value {
         "drops": compared.drops.iter().map(|(height_m, count)| json!({ "height_m": height_m, "count": count })).collect::<Vec<_>>(),
         "sampling": compared.sampling.iter().map(sampling).collect::<Vec<_>>(),
         "left_out": compared.left_out,
+        "free_fall": compared.free_fall,
         "held_out_heights_m": compared.held_out_heights_m,
         "covariates": rounded(json!(compared.covariates)),
         "confounding": rounded(json!(compared.confounding)),

@@ -6,8 +6,8 @@ use crate::figures::decimals;
 use crate::impact::body::Feet;
 use crate::impact::diagnose;
 use crate::impact::diagnose::{
-    ChannelChoice, ComparedAxes, Covariate, CovariateEffect, Diagnosis, DiagnosisError, DiagnosisOptions, FrameMode, Stage,
-    StaticComparison, Verdict, confounded,
+    ChannelChoice, ComparedAxes, Covariate, CovariateEffect, Diagnosis, DiagnosisError, DiagnosisOptions, FrameMode, FreeFallReading,
+    Stage, StaticComparison, Verdict, confounded,
 };
 use crate::impact::effects::{self, AIR_DRAG, Channel, DROP_HEIGHT_ERROR, Model};
 use crate::impact::fit::{FitError, Keep, Waves};
@@ -277,6 +277,7 @@ impl DiagnosisRequest<'_> {
             drops: choice.waves.groups.iter().map(|group| (group.height_m, group.windows.len())).collect(),
             sampling: choice.waves.groups.iter().map(|group| (group.height_m, group.decimation)).collect(),
             left_out: chosen.left_out.clone(),
+            free_fall: if choice.axes == ComparedAxes::Magnitude { Vec::new() } else { FreeFallReading::all(chosen) },
             held_out_heights_m: self.hold_out_heights_m.to_vec(),
             seed: self.seed,
             falls: if FreeFallOffset::all(self.drops).is_empty() { Fall::of(self.drops) } else { Vec::new() },

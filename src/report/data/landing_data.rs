@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use crate::figures::decimals;
 use crate::impact::diagnose::EffectEstimate;
 use crate::impact::landing::{
-    ATTITUDE_SENSOR, AttitudeAssessment, COULOMB_FRICTION, FOOT_MODE, LANDING_TILT, LandingAssessment, MOUNT_LOW_PASS, RefusedEffect,
+    ATTITUDE_SENSOR, AttitudeAssessment, COULOMB_FRICTION, FOOT_MODE, Gate, LANDING_TILT, LandingAssessment, MOUNT_LOW_PASS, RefusedEffect,
 };
 
 /// Everything that was found of landings.
@@ -58,12 +58,15 @@ pub fn lean(found: &AttitudeAssessment) -> String {
     format!("the sensor's axis leans by {toward_x} toward x and by {toward_y} toward y{cosine}")
 }
 
-/// The same in sentences.
+/// The same in sentences; without the tests that the reasons of the verdict name, and without slopes where the lateral readings are along the legs.
 pub fn sentences(assessment: &LandingAssessment) -> Vec<String> {
-    let gates = assessment.gates.iter().map(|gate| format!("test {} {}: {}", gate.id, gate.word(), gate.found));
+    let is_reason = |at: usize, gate: &Gate| assessment.decides() || assessment.stands_beside() && (at == 0 || !gate.passed);
+    let gates = assessment.gates.iter().enumerate().filter(|(at, gate)| !is_reason(*at, gate));
+    let gates = gates.map(|(_, gate)| format!("test {} {}: {}", gate.id, gate.word(), gate.found));
     let attitude = [lean(&assessment.attitude), assessment.attitude.reason()];
-    let refused = assessment.refused.iter().map(RefusedEffect::sentence);
-    std::iter::once(spread(assessment)).chain(gates).chain(refused).chain(attitude).collect()
+    let refused = assessment.refused.iter().filter(|_| !assessment.stands_beside()).map(RefusedEffect::sentence);
+    let slopes = (!assessment.evidence.is_turned()).then(|| spread(assessment));
+    slopes.into_iter().chain(gates).chain(refused).chain(attitude).collect()
 }
 
 /// How landings vary, in a sentence.
