@@ -67,9 +67,9 @@ pub(super) static FRAGMENTS: [Fragment; 23] = [
         name: "{power_leads}",
         cases: &[(
             &[CONNECTOR],
-            "Solder the connector's leads to the {power_board}'s battery pads at its {rear}, red to plus, black to minus, as the picture shows: they are the battery wires of the bill.",
+            "Solder the connector's leads to the battery pads of the {power_board} at its {rear}, red to plus, black to minus, as the picture shows: they are the battery wires of the bill.",
         )],
-        otherwise: "Solder the leads of {instead connector} to the {power_board}'s battery pads at its {rear}, red to plus, black to minus, and lead them to the {rear}, out of the bay.",
+        otherwise: "Solder the leads of {instead connector} to the battery pads of the {power_board} at its {rear}, red to plus, black to minus, and lead them to the {rear}, out of the bay.",
     },
     Fragment { name: "{power_board}", cases: &[(&[ALL_IN_ONE], BOTH_CONTROLLERS)], otherwise: "motor controller" },
     Fragment {

@@ -78,6 +78,11 @@ fn signs(height_m: f64, trace: &ClockTrace, usual: &Usual, period: Option<&Clock
     let smoothest =
         usual.vibration.iter().zip(trace.vibration).filter_map(|(usual, own)| Some(usual.as_ref()?.above(own?, LEAST_VIBRATION)));
     let smoothest = smoothest.fold(0.0, f64::min);
+    // A frame that lands on one foot first is pushed for longer, and has less impulse in the window: its last push is smoother than any vibration.
+    let behind = match trace.late {
+        Some(own) => own.zip(usual.vibration[1].as_ref()).map_or(0.0, |(own, usual)| usual.above(own, LEAST_VIBRATION)),
+        None => smoothest,
+    };
     let noise = usual.noise.zip(trace.noise).filter(|(usual, own)| usual.above(*own, LEAST_NOISE) > SMOOTH_NOISE);
     let impossible = usual.impulse.is_none() && !impulse_over_v0(height_m).contains(&trace.over_v0);
     let (unlike, late, smooth) = (impulse.abs() > UNLIKE || impossible, trace.to_peak_s > WINDOW_S + 1e-6, smoothest < -SMOOTH);
@@ -89,7 +94,7 @@ fn signs(height_m: f64, trace: &ClockTrace, usual: &Usual, period: Option<&Clock
     let stalled = trace.stamps.is_some()
         || fall.is_short
         || (jump && cut)
-        || (odd && (weak || fall.is_long || position.is_some()))
+        || (odd && (behind < -SMOOTH || noise.is_some() || fall.is_rather_short || fall.is_long || position.is_some()))
         || (fall.own_s > LONGER * fall.usual_s && impulse < -SECOND)
         || (position.is_some() && (jump || weak));
     if !stalled {
@@ -128,6 +133,7 @@ mod tests {
             step_s: 1e-3,
             jump: None,
             vibration,
+            late: None,
             noise,
             stamps: None,
         })

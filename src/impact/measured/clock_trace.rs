@@ -2,9 +2,7 @@
 
 use super::clock_sign::ClockSign;
 use super::impact::{Impact, WINDOW_S};
-use super::impact_speed_m_s;
 use super::record::Record;
-use crate::units::GRAVITY_M_S2;
 
 /// Least reading that cannot fall to free flight within one sample, g.
 const JUMP_G: f64 = 8.0;
@@ -17,8 +15,7 @@ const LOOKED_S: f64 = 0.040;
 const STEP_S: f64 = 1e-3;
 /// Vibration in and behind the impact: from and to, s after the trigger.
 const VIBRATION_S: [[f64; 2]; 2] = [[0.001, 0.060], [0.025, 0.090]];
-/// What lies behind an impact begins when the frame has flown for so long, s, but not later than this: a frame that lands on one foot first is pushed
-/// for longer than one that lands level, and its last push is smoother than any vibration.
+/// A frame that is still pushed behind the impact's window has left the ground when it has flown for so long, s, this long after the trigger at the latest.
 const FLOWN_S: f64 = 0.003;
 const LATEST_S: f64 = 0.045;
 /// Noise before the impact, s, and the fewest samples of it.
@@ -33,7 +30,6 @@ const FEWEST_FAST: usize = 3;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ClockTrace {
     pub fall_s: Option<f64>,
-    /// Impulse along the axis over that of the speed before, within 25 ms, and of a frame that is still pushed then, until it flies.
     pub over_v0: f64,
     pub to_peak_s: f64,
     /// Sample of the trigger.
@@ -41,8 +37,10 @@ pub(super) struct ClockTrace {
     pub step_s: f64,
     /// Reading before a jump into free flight, g, and its time after the trigger, s.
     pub jump: Option<[f64; 2]>,
-    /// Logarithm of the squared second over the squared first differences in the two windows of [`VIBRATION_S`], the second one once it flies.
+    /// Logarithm of the squared second over the squared first differences in the two windows of [`VIBRATION_S`].
     pub vibration: [Option<f64>; 2],
+    /// The same from the moment on at which a frame flies that was still pushed behind the impact's window; none of other frames.
+    pub late: Option<Option<f64>>,
     /// Lag-1 autocorrelation of the noise before the impact, all axes.
     pub noise: Option<f64>,
     pub stamps: Option<ClockSign>,
@@ -52,39 +50,29 @@ impl ClockTrace {
     pub fn of(record: &Record, impact: &Impact) -> Self {
         let samples = |time_s: f64| record.samples_in(time_s);
         let window = |[from_s, to_s]: [f64; 2]| smoothness(record, impact.trigger + samples(from_s), impact.trigger + samples(to_s));
-        let [in_impact, [behind_s, to_s]] = VIBRATION_S;
-        let flown_s = flown(record, impact.trigger, behind_s);
         let end = impact.falling.end;
         Self {
             fall_s: impact.fall_s,
-            over_v0: impulse_over_v0(record, impact, flown_s),
+            over_v0: impact.impulse_over_v0(record.height_m),
             to_peak_s: impact.to_peak_s,
             trigger: impact.trigger,
             step_s: record.step_s().unwrap_or(STEP_S),
             jump: jump(record, impact.trigger),
-            vibration: [window(in_impact), window([flown_s, to_s])],
+            vibration: VIBRATION_S.map(window),
+            late: flown(record, impact).map(|flown_s| window([flown_s, VIBRATION_S[1][1]])),
             noise: autocorrelation(record, impact.falling.start.max(end.saturating_sub(samples(NOISE_S))), end),
             stamps: stamps(record, impact),
         }
     }
 }
 
-/// Impulse along the axis until the frame flies over that of the speed before. Within 25 ms alone that of a steep landing is not all there, and looks
-/// like one that a stall cut.
-fn impulse_over_v0(record: &Record, impact: &Impact, flown_s: f64) -> f64 {
-    let end = record.t_s.partition_point(|t_s| *t_s < record.t_s[impact.trigger] + flown_s - 1e-6);
-    let later = (impact.window_end..end.min(record.len() - 1))
-        .map(|at| 0.5 * (record.accel_g[at] + record.accel_g[at + 1]) * (record.t_s[at + 1] - record.t_s[at]));
-    impact.impulse_over_v0(record.height_m) + later.sum::<f64>() * GRAVITY_M_S2 / impact_speed_m_s(record.height_m)
-}
-
-/// When a frame has left the ground, s after the trigger, and not before a time.
-fn flown(record: &Record, trigger: usize, from_s: f64) -> f64 {
+/// When a frame that is still pushed behind the impact's window has left the ground, s after the trigger; `None` for one that flies there already.
+fn flown(record: &Record, impact: &Impact) -> Option<f64> {
     let quiet = record.samples_in(FLOWN_S);
-    let first = trigger + record.samples_in(from_s);
-    let last = (trigger + record.samples_in(LATEST_S)).min(record.len().saturating_sub(quiet));
+    let last = (impact.trigger + record.samples_in(LATEST_S)).min(record.len().saturating_sub(quiet));
     let flies = |at: &usize| (*at..at + quiet).all(|sample| record.size_g(sample) < FLIGHT_G);
-    (first..last).find(flies).map_or(LATEST_S, |at| record.t_s[at] - record.t_s[trigger])
+    let at = (impact.window_end..last).find(flies).unwrap_or(last);
+    (at > impact.window_end).then(|| record.t_s[at] - record.t_s[impact.trigger])
 }
 
 /// A reading far from zero with free flight behind it.
