@@ -69,7 +69,11 @@ fn planted_a_plug_and_a_latch_that_are_extras() {
     let plug = told("connector = \"none\"\n", &[("plug", "connector")]);
     let all: String = plug.values().cloned().collect();
     assert!(!all.contains("connector's") && !all.contains("power connector") && !all.contains("battery wires"), "{all}");
-    assert!(plug["bracket"].starts_with("Solder the leads of the extra \"plug\" to the motor controller's"), "{}", plug["bracket"]);
+    assert!(
+        plug["bracket"].starts_with("Solder the leads of the extra \"plug\" to the battery pads of the motor controller at its rear"),
+        "{}",
+        plug["bracket"]
+    );
     assert!(plug["cartridge"].contains("connect the battery by the extra \"plug\""), "{}", plug["cartridge"]);
     let latch = design("magnet = \"none\"\n", &[("latch", "magnet")]);
     let told = texts(&latch);

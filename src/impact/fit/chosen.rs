@@ -99,6 +99,17 @@ pub struct LeftOut {
     pub reason: String,
 }
 
+impl LeftOut {
+    /// What is wrong with drops, each reason once without its figures, and how many have it.
+    pub fn by_reason<'a>(drops: impl IntoIterator<Item = &'a Self>) -> BTreeMap<&'a str, usize> {
+        let mut reasons = BTreeMap::new();
+        for drop in drops {
+            *reasons.entry(drop.reason.split(':').next().unwrap_or_default()).or_default() += 1;
+        }
+        reasons
+    }
+}
+
 /// How a model gets a parameter that an effect of the catalogue has.
 fn of_effect(key: &str) -> String {
     let of = CATALOGUE.into_iter().find(|spec| spec.parameters.iter().any(|parameter| parameter.key == key));
@@ -250,10 +261,7 @@ impl<'a> Chosen<'a> {
 
     /// How many drops of a height were left out, and why most of them were, in words; empty where none were.
     fn left_out_at(&self, height_m: f64) -> String {
-        let mut reasons: BTreeMap<&str, usize> = BTreeMap::new();
-        for left_out in self.left_out.iter().filter(|left_out| left_out.height_m == height_m) {
-            *reasons.entry(left_out.reason.split(':').next().unwrap_or_default()).or_default() += 1;
-        }
+        let reasons = LeftOut::by_reason(self.left_out.iter().filter(|left_out| left_out.height_m == height_m));
         let all: usize = reasons.values().sum();
         let most = reasons.into_iter().max_by_key(|(_, count)| *count);
         most.map_or(String::new(), |(reason, count)| {

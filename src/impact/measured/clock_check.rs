@@ -80,8 +80,10 @@ fn signs(height_m: f64, trace: &ClockTrace, usual: &Usual, period: Option<&Clock
     let smoothest = smoothest.fold(0.0, f64::min);
     // A frame that lands on one foot first is pushed for longer, and has less impulse in the window: its last push is smoother than any vibration.
     let behind = match trace.late {
-        Some(own) => own.zip(usual.vibration[1].as_ref()).map_or(0.0, |(own, usual)| usual.above(own, LEAST_VIBRATION)),
-        None => smoothest,
+        Some(flight) if impulse < 0.0 => {
+            flight.vibration.zip(usual.vibration[1].as_ref()).map_or(0.0, |(own, usual)| usual.above(own, LEAST_VIBRATION))
+        }
+        _ => smoothest,
     };
     let noise = usual.noise.zip(trace.noise).filter(|(usual, own)| usual.above(*own, LEAST_NOISE) > SMOOTH_NOISE);
     let impossible = usual.impulse.is_none() && !impulse_over_v0(height_m).contains(&trace.over_v0);

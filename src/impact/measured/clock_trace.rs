@@ -39,11 +39,18 @@ pub(super) struct ClockTrace {
     pub jump: Option<[f64; 2]>,
     /// Logarithm of the squared second over the squared first differences in the two windows of [`VIBRATION_S`].
     pub vibration: [Option<f64>; 2],
-    /// The same from the moment on at which a frame flies that was still pushed behind the impact's window; none of other frames.
-    pub late: Option<Option<f64>>,
+    /// Of a frame that is still pushed behind the impact's window.
+    pub late: Option<LateFlight>,
     /// Lag-1 autocorrelation of the noise before the impact, all axes.
     pub noise: Option<f64>,
     pub stamps: Option<ClockSign>,
+}
+
+/// A frame that flies later than most.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct LateFlight {
+    /// As in [`ClockTrace::vibration`], from the moment on at which it flies.
+    pub vibration: Option<f64>,
 }
 
 impl ClockTrace {
@@ -59,7 +66,7 @@ impl ClockTrace {
             step_s: record.step_s().unwrap_or(STEP_S),
             jump: jump(record, impact.trigger),
             vibration: VIBRATION_S.map(window),
-            late: flown(record, impact).map(|flown_s| window([flown_s, VIBRATION_S[1][1]])),
+            late: flown(record, impact).map(|flown_s| LateFlight { vibration: window([flown_s, VIBRATION_S[1][1]]) }),
             noise: autocorrelation(record, impact.falling.start.max(end.saturating_sub(samples(NOISE_S))), end),
             stamps: stamps(record, impact),
         }

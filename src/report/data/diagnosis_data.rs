@@ -88,11 +88,8 @@ impl Compared {
 
     /// How many drops were left out, by what is wrong with them, in a sentence.
     pub fn left_out(&self) -> Option<String> {
-        let mut reasons: BTreeMap<&str, usize> = BTreeMap::new();
-        for left_out in &self.left_out {
-            *reasons.entry(left_out.reason.split(':').next().unwrap_or_default()).or_default() += 1;
-        }
-        let each: Vec<String> = reasons.into_iter().map(|(reason, count)| format!("{reason} ({count})")).collect();
+        let each: Vec<String> =
+            LeftOut::by_reason(&self.left_out).into_iter().map(|(reason, count)| format!("{reason} ({count})")).collect();
         (!each.is_empty()).then(|| format!("left out: {}; report.md lists them", each.join(", ")))
     }
 

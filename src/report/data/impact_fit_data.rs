@@ -1,7 +1,5 @@
 //! The frame's own model fitted to drops, as words, JSON and CSV.
 
-use std::collections::BTreeMap;
-
 use serde_json::{Value, json};
 
 use crate::export::ExportError;
@@ -134,10 +132,6 @@ pub fn table(found: &Fitted) -> String {
 
 /// How many drops are in none of the figures, by what is wrong with them.
 fn left_out(drops: &[LeftOut]) -> String {
-    let mut by_reason: BTreeMap<&str, usize> = BTreeMap::new();
-    for drop in drops {
-        *by_reason.entry(drop.reason.split(':').next().unwrap_or_default()).or_default() += 1;
-    }
-    let each: Vec<String> = by_reason.iter().map(|(reason, count)| format!("{reason} ({count})")).collect();
+    let each: Vec<String> = LeftOut::by_reason(drops).iter().map(|(reason, count)| format!("{reason} ({count})")).collect();
     if each.is_empty() { String::new() } else { format!("drops left out: {}\n\n", each.join(", ")) }
 }
