@@ -3,7 +3,6 @@
 use super::carrier_screws::CarrierScrews;
 use super::fragments::instead;
 use super::mount::{BATTERY_REAR, COMPUTER_SCREWS, EXTRAS, FOOT_SCREWS, FPV_TILT, HEX_KEY, TIES};
-use crate::figures::decimals;
 use crate::frame::assembly::Design;
 use crate::frame::assembly::cables::unconnected;
 use crate::params::Frame;
@@ -21,7 +20,7 @@ pub(super) fn figures(design: &Design) -> Vec<(&'static str, String)> {
         (FOOT_SCREWS, feet),
         (HEX_KEY, hex_key(&design.frame)),
         (TIES, ties_told(design)),
-        (FPV_TILT, decimals(design.frame.accessories.fpv_tilt_deg, 0)),
+        (FPV_TILT, format!("{:.0}", design.frame.accessories.fpv_tilt_deg)),
         (EXTRAS, extras_told(design)),
     ]
 }
