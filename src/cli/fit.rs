@@ -190,11 +190,11 @@ fn verdict(fit: &Fit) -> String {
 }
 
 /// What is said below the parameters: whether intervals hold, and how the fitted model is wrong.
-fn doubts(fit: &Fit, warnings: &[(f64, String)]) -> String {
+fn doubts(fit: &Fit, is_likelihood: bool, warnings: &[(f64, String)]) -> String {
     let mut text = String::new();
     if fit.p.is_some_and(|p| p < RARE) {
         text += "the intervals hold where the model does: `flexframe diagnose` looks for what it lacks\n";
-    } else if fit.p.is_none() && fit.resampled == 0 {
+    } else if is_likelihood && fit.resampled == 0 {
         text += "without other fits nothing is said of whether the model holds: --bootstrap 200 does\n";
     }
     for (height_m, warning) in warnings {
@@ -243,7 +243,7 @@ fn table(fit: &Fit, chosen: &Chosen, args: &Args, numbers: Option<usize>, warnin
         text +=
             &format!("{:<16} {:<12} {:>10.4} {:>12.4}   {interval}{bound}\n", estimate.key, estimate.unit, estimate.start, estimate.value);
     }
-    text += &doubts(fit, warnings);
+    text += &doubts(fit, numbers.is_some(), warnings);
     text.push('\n');
     text
 }

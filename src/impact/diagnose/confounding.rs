@@ -105,18 +105,15 @@ fn share_of_groups(groups: &BTreeMap<&str, Vec<f64>>, count: usize) -> Option<f6
 fn of_zeros(chosen: &Chosen) -> Option<Confounding> {
     let mut by_height: BTreeMap<u64, Vec<&Drop>> = BTreeMap::new();
     chosen.drops.iter().for_each(|drop| by_height.entry(drop.record.height_m.to_bits()).or_default().push(drop));
-    let zeros = |axis: usize| -> Vec<HeightZeros> {
-        let of_height = |drops: &Vec<&Drop>| HeightZeros {
-            height_m: drops[0].record.height_m,
-            zeros_g: drops.iter().filter_map(|drop| mean_in_fall(drop.record, drop.impact.as_ref()?, axis)).collect(),
-        };
-        by_height.values().map(of_height).filter(|height| !height.zeros_g.is_empty()).collect()
+    let of_height = |axis: usize, drops: &[&Drop]| HeightZeros {
+        height_m: drops[0].record.height_m,
+        zeros_g: drops.iter().filter_map(|drop| mean_in_fall(drop.record, drop.impact.as_ref()?, axis)).collect(),
     };
+    let zeros = |axis: usize| -> Vec<HeightZeros> { by_height.values().map(|drops| of_height(axis, drops)).collect() };
     let moved = |axis: usize| moved_zero_p(&zeros(axis), if axis == AXIAL { MOST_DRAG_G_M } else { 0.0 }).map(|p| (axis, AXES * p));
     let (axis, p) = (0..3).filter_map(moved).min_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, p)| *p < RARE)?;
-    let names = by_height.values().map(|drops| Session::name_of(drops[0].record));
-    let each: Vec<String> =
-        zeros(axis).iter().zip(names).filter_map(|(height, name)| Some(format!("{:.2} g in {name}", height.median_g()?))).collect();
+    let told = |drops: &Vec<&Drop>| Some(format!("{:.2} g in {}", of_height(axis, drops).median_g()?, Session::name_of(drops[0].record)));
+    let each: Vec<String> = by_height.values().filter_map(told).collect();
     let found = format!(
         "no session is stated, and the zero of {} moved from height to height ({}; p = {p:.3}): each height is a session, a day or a mounting of \
          its own, and what these do cannot be told from what the height does",

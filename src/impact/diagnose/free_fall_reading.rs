@@ -8,7 +8,7 @@ use serde::Serialize;
 use crate::impact::fit::Chosen;
 use crate::impact::measured::{Spread, mean_in_fall};
 
-/// Readings nearer to nothing than this are not told, g: on synthetic drops, 0.08 g changed verdicts, and 0.03 g none.
+/// Readings nearer to nothing than this are not told, g: chosen, half of the 0.08 g that changed the verdict of synthetic drops.
 const LEAST_G: f64 = 0.04;
 /// Standard errors from which on a reading is not nothing.
 const SURE: f64 = 3.0;

@@ -205,7 +205,7 @@ impl Study {
         let _ = write!(
             page,
             "## The residual of the base model\n\n\
-             With spring and damper refitted to the axial component, p = {:.4}. The residuals of neighbouring heights have a correlation of {:.2} by\n\
+             With spring and damper refitted to the axial component, p = {:.4}. The residuals of neighbouring heights have a cosine of {:.2} by\n\
              time, {:.2} by displacement and {:.2} by speed: the residual keeps its *time*. It is largest from {} m, {:.1} ms after first touch:\n\
              {:.1} g measured, {:.1} g in the model.\n\n",
             self.all.base_adequacy.p, same.t, same.x, same.v, worst.height_m, worst.t_ms, worst.measured_g, worst.model_g
