@@ -30,6 +30,7 @@ pub mod impact;
 pub mod markdown;
 pub mod mechanics;
 pub mod memo;
+pub mod paper_logger;
 pub mod params;
 pub mod printing;
 pub mod report;

@@ -7,6 +7,9 @@ use clap::builder::ValueParser;
 /// Longest time that is waited for, s: a year.
 const LONGEST_S: f64 = 3.2e7;
 
+/// Largest seed, that of a plan's `drops.seed`.
+const MOST_SEED: u64 = 9_000_000_000_000_000;
+
 /// A number to show, where bounds allow it.
 const EXAMPLE: f64 = 0.5;
 
@@ -38,6 +41,11 @@ pub(super) fn none_or_count([min, max]: [u32; 2]) -> ValueParser {
         Err(error) => Err(format!("{error}: give 0, or {min} to {max}")),
     };
     ValueParser::new(parse)
+}
+
+/// A seed of random numbers: what a number of TOML and JSON holds exactly.
+pub(super) fn seed() -> clap::builder::RangedU64ValueParser<u64> {
+    clap::value_parser!(u64).range(0..=MOST_SEED)
 }
 
 /// A time such as 90s, 10m or 2h; a plain number is seconds.

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use super::bounded::{count, number};
+use super::bounded::{count, number, seed};
 use super::candidates;
 use super::failure::Failure;
 use super::failure::mechanics_refused;
@@ -61,7 +61,7 @@ pub(super) struct Args {
     #[arg(long, default_value_t = 3, value_name = "N", value_parser = count([1, MOST_EFFECTS as u32]))]
     pub max_effects: usize,
     /// Seed of the simulated data.
-    #[arg(long, default_value_t = 1, value_name = "N")]
+    #[arg(long, default_value_t = 1, value_name = "N", value_parser = seed())]
     pub seed: u64,
     /// Which axes are used.
     #[arg(long, value_enum, default_value = "auto", value_name = "CHANNEL")]
@@ -156,8 +156,7 @@ fn files(
     design: Option<&Design>,
     json: &serde_json::Value,
 ) -> Result<Vec<(String, Vec<u8>)>, Failure> {
-    let blocks = diagnosis_page::blocks(found, compared, design)
-        .map_err(|error| Failure::Machine { what: "cannot make the plots".into(), error: std::io::Error::other(error) })?;
+    let blocks = diagnosis_page::blocks(found, compared, design)?;
     let title = diagnosis_page::title(found, compared);
     let mut files = vec![
         ("diagnosis.json".to_string(), format!("{json:#}\n").into_bytes()),

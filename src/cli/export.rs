@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use super::failure::{Failure, mechanics_refused};
+use super::given_drops::FRAME_MODEL;
 use super::options::{Common, FrameOption};
 use super::output;
 use super::progress::Progress;
@@ -40,7 +41,7 @@ pub(super) struct Args {
     pub sdf: bool,
     /// Stiffness and damping of the legs: `frame`, the frame's own geometry, or those of an impact model, `paper`,
     /// `paper-corrected` or a TOML file.
-    #[arg(long, default_value = OWN, value_name = "MODEL")]
+    #[arg(long, default_value = FRAME_MODEL, value_name = "MODEL")]
     pub model: String,
     /// With --model frame: file with the numbers of the mechanics, instead of the built-in ones.
     #[arg(long, value_name = "TOML")]
@@ -50,18 +51,15 @@ pub(super) struct Args {
     pub output: PathBuf,
 }
 
-/// The model that is the frame's own.
-const OWN: &str = "frame";
-
 /// Writes the folder.
 pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
-    if args.model != OWN && args.mechanics.is_some() {
+    if args.model != FRAME_MODEL && args.mechanics.is_some() {
         return Err(Failure::Usage { message: "--mechanics goes with --model frame, the frame's own geometry".into() });
     }
     let working = Progress::of("exporting", common);
     let design = session::design(&args.frame, common)?;
     let masses = mass::table(&design);
-    let legs = if args.model == OWN { own_legs(&design, &masses, args)? } else { legs_of(&Model::load(&args.model)?) };
+    let legs = if args.model == FRAME_MODEL { own_legs(&design, &masses, args)? } else { legs_of(&Model::load(&args.model)?) };
     let model = simulator::model(&design, &masses, legs);
     let files = simulator::files(&model, &formats(args))
         .map_err(|error| Failure::Machine { what: format!("cannot make {}", error.what), error: error.error })?;
@@ -96,7 +94,7 @@ fn own_legs(design: &Design, masses: &MassTable, args: &Args) -> Result<LegSprin
     let curve = StaticCurve::new(&quarter, CURVE_MM, &[]).map_err(mechanics_refused)?;
     let reduction = Reduction::of(&quarter, &curve, masses.total_g * 1e-3, &settings).map_err(mechanics_refused)?;
     let doubt = settings.doubt(&design.frame.flexible);
-    Ok(LegSpring { from: OWN.into(), stiffness_n_m: reduction.stiffness_n_mm * 1e3, damping_n_s_m: reduction.damping_n_s_m, doubt })
+    Ok(LegSpring { from: FRAME_MODEL.into(), stiffness_n_m: reduction.stiffness_n_mm * 1e3, damping_n_s_m: reduction.damping_n_s_m, doubt })
 }
 
 /// Spring and damper of an impact model; effects on top of them have no place in a simulator's files.

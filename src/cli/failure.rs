@@ -9,6 +9,7 @@ use crate::checks::gate::Refused;
 use crate::export::ExportError;
 use crate::impact::measured::{Fault, Malformed, SourcePosition};
 use crate::params::{LoadError, is_of_machine};
+use crate::report::chart::PlotError;
 use crate::report::frame_folder::FolderError;
 
 /// Why a command did not do its work.
@@ -45,6 +46,12 @@ pub enum Failure {
 impl From<ExportError> for Failure {
     fn from(error: ExportError) -> Self {
         Self::Machine { what: format!("cannot make {}", error.what), error: error.error }
+    }
+}
+
+impl From<PlotError> for Failure {
+    fn from(error: PlotError) -> Self {
+        Self::Machine { what: "cannot make the plots".into(), error: io::Error::other(error) }
     }
 }
 

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use super::bounded::none_or_count;
+use super::bounded::{none_or_count, seed};
 use super::candidates;
 use super::failure::Failure;
 use super::given_drops::{compared_model, file_format, frame_and_paths, read_drops, with_body_of};
@@ -11,7 +11,7 @@ use super::options::{ChannelOption, Common, DropsOption, FormatOptions};
 use super::output;
 use super::progress::Progress;
 use super::terminal;
-use crate::figures::p_value;
+use crate::figures::{PARAMETER_DIGITS, p_value, significant};
 use crate::impact::body::DropBody;
 use crate::impact::diagnose::{ChannelChoice, ComparedAxes, RARE};
 use crate::impact::effects::{Channel, Model};
@@ -47,7 +47,7 @@ pub(super) struct Args {
     #[arg(long, default_value_t = 200, value_name = "N", value_parser = none_or_count([LEAST_RESAMPLED as u32, MOST_SAMPLES]))]
     pub bootstrap: usize,
     /// Seed of the random numbers of simulated and resampled sets.
-    #[arg(long, default_value_t = 1, value_name = "N")]
+    #[arg(long, default_value_t = 1, value_name = "N", value_parser = seed())]
     pub seed: u64,
     /// Channel that is compared. The paper's objective uses the one that the model states.
     #[arg(long, value_enum, default_value = "auto", value_name = "CHANNEL")]
@@ -112,8 +112,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         warnings: &warnings,
     };
     let json = fit_data::json(&run);
-    let mut files = fit_plots::plots(&run)
-        .map_err(|error| Failure::Machine { what: "cannot make the plots".into(), error: std::io::Error::other(error) })?;
+    let mut files = fit_plots::plots(&run)?;
     files.push(("model.toml".into(), fitted.model.to_toml().into_bytes()));
     files.push(("fit.json".into(), format!("{json:#}\n").into_bytes()));
     drop(working);
@@ -238,10 +237,11 @@ fn table(fit: &Fit, chosen: &Chosen, args: &Args, numbers: Option<usize>, warnin
     };
     text += &format!("\nparameter        unit              start       fitted   95 %, of {} other fits\n", fit.resampled);
     for estimate in &fit.estimates {
-        let interval = estimate.ci95.map_or("-".into(), |[low, high]| format!("{low:.4} to {high:.4}"));
+        let written = |value: f64| significant(value, PARAMETER_DIGITS);
+        let interval = estimate.ci95.map_or("-".into(), |[low, high]| format!("{} to {}", written(low), written(high)));
         let bound = if estimate.at_bound { "   at its bound" } else { "" };
         text +=
-            &format!("{:<16} {:<12} {:>10.4} {:>12.4}   {interval}{bound}\n", estimate.key, estimate.unit, estimate.start, estimate.value);
+            &format!("{:<16} {:<12} {:>10} {:>12}   {interval}{bound}\n", estimate.key, estimate.unit, written(estimate.start), written(estimate.value));
     }
     text += &doubts(fit, numbers.is_some(), warnings);
     text.push('\n');

@@ -37,8 +37,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let judged = JudgedDrops::of(&set);
     let groups = &judged.groups;
     let json = measure_data::json(&set, &judged);
-    let mut files = measure_plots::plots(groups)
-        .map_err(|error| Failure::Machine { what: "cannot make the plots".into(), error: std::io::Error::other(error) })?;
+    let mut files = measure_plots::plots(groups)?;
     files.push(("heights.csv".into(), measure_data::heights_csv(groups)?.into_bytes()));
     files.push(("drops.csv".into(), measure_data::drops_csv(groups)?.into_bytes()));
     files.push(("measure.json".into(), format!("{json:#}\n").into_bytes()));

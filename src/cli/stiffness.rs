@@ -160,8 +160,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         ratios: reference.as_ref().map(|(name, ratios)| (name.as_str(), ratios.as_slice())),
     };
     let json = stiffness_data::json(&found);
-    let mut files = stiffness_plots::plots(&found)
-        .map_err(|error| Failure::Machine { what: "cannot make the plots".into(), error: std::io::Error::other(error) })?;
+    let mut files = stiffness_plots::plots(&found)?;
     files.push(("curve.csv".into(), stiffness_data::curve_csv(&found)?.into_bytes()));
     files.push(("stiffness.json".into(), format!("{json:#}\n").into_bytes()));
     let remark = match &calibration {

@@ -5,6 +5,7 @@ use std::process::ExitCode;
 
 use serde_json::json;
 
+use super::bounded::seed;
 use super::candidates;
 use super::failure::Failure;
 use super::options::Common;
@@ -23,7 +24,7 @@ pub(super) struct Args {
     #[arg(value_name = "PLAN", add = candidates::toml_files())]
     pub plan: String,
     /// Seed instead of the plan's.
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = seed())]
     pub seed: Option<u64>,
     /// Folder in which to write the folder `synthesize-PLAN`.
     #[arg(short, long, default_value = "out", value_name = "DIR")]

@@ -11,7 +11,7 @@ pub(super) const PAINT: [&str; 4] = ["\x1b[31m", "\x1b[32m", "\x1b[33m", "\x1b[0
 /// A text that a terminal shows and does not obey: control characters, and marks that turn the direction of writing, are written as
 /// JSON writes them. Line feeds, tabs and [`PAINT`] stay.
 pub(super) fn shown(text: &str) -> Cow<'_, str> {
-    let turns = |c: char| matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    let turns = |c: char| matches!(c, '\u{061c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
     let obeyed = |c: char| (c.is_control() && c != '\n' && c != '\t') || turns(c);
     if !text.contains(obeyed) {
         return text.into();
@@ -58,7 +58,7 @@ mod tests {
     #[test]
     fn analytic_a_terminal_obeys_nothing_but_our_colours() {
         assert_eq!(shown("\x1b[31mred\x1b[0m\tand\nplain ä"), "\x1b[31mred\x1b[0m\tand\nplain ä");
-        assert_eq!(shown("a\x1b]0;title\x07b\rc\u{9b}2Jd\u{202e}e"), "a\\u001b]0;title\\u0007b\\u000dc\\u009b2Jd\\u202ee");
+        assert_eq!(shown("a\x1b]0;title\x07b\rc\u{9b}2Jd\u{202e}e\u{200f}f"), "a\\u001b]0;title\\u0007b\\u000dc\\u009b2Jd\\u202ee\\u200ff");
         let json = serde_json::to_string("\u{9b}\u{7f}").expect("JSON");
         assert_eq!(serde_json::from_str::<String>(&shown(&json)).expect("still JSON"), "\u{9b}\u{7f}");
     }

@@ -1,6 +1,5 @@
 //! `manifest.json`: every file with its hash, every printed part with its numbers.
 
-use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
@@ -173,18 +172,18 @@ struct FileList {
     own_sha256: Option<String>,
 }
 
-/// The list of files of a folder that has no manifest.
+/// The list of files of a folder that has no manifest, by path and hash. A path stands there twice while its file is being replaced.
 ///
 /// # Errors
 /// When it cannot be written as JSON.
-pub fn list_text(files: &[(String, Vec<u8>)]) -> serde_json::Result<String> {
-    let files = files.iter().map(|(path, bytes)| FileEntry { path: path.clone(), sha256: hash(bytes) }).collect();
+pub fn list_text(files: impl IntoIterator<Item = (String, String)>) -> serde_json::Result<String> {
+    let files = files.into_iter().map(|(path, sha256)| FileEntry { path, sha256 }).collect();
     signed_text(&FileList { schema_version: SCHEMA_VERSION, files, own_sha256: Some(String::new()) })
 }
 
-/// Hashes by path as a manifest or another list states them, and whether the list itself is as it was written; `None` when the text is
+/// Paths with their hashes as a manifest or another list states them, and whether the list itself is as it was written; `None` when the text is
 /// no list.
-pub fn listed(text: &str) -> Option<(BTreeMap<String, String>, bool)> {
+pub fn listed(text: &str) -> Option<(Vec<(String, String)>, bool)> {
     let list: FileList = serde_json::from_str(text).ok()?;
     let whole = list.own_sha256.is_none_or(|own| is_signed(text, &own));
     Some((list.files.into_iter().map(|file| (file.path, file.sha256)).collect(), whole))

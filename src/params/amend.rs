@@ -18,7 +18,7 @@ pub struct Amendment<'a> {
 /// The mark that some editors begin a file with.
 const BYTE_ORDER_MARK: char = '\u{feff}';
 
-/// The text with these amendments, its byte order mark and the ends of its lines as they were.
+/// The text with these amendments, its byte order mark as it was, and all lines ended as the first one is.
 ///
 /// # Errors
 /// When the text is not TOML, or holds a value where a key has its table.
@@ -96,9 +96,9 @@ pub fn formatted(value: &Value) -> String {
     }
 }
 
-/// A basic string of TOML: JSON's escapes are among its own.
+/// A basic string of TOML: JSON's escapes are among its own. JSON leaves the delete character as it is, which TOML does not allow.
 pub fn quoted(text: &str) -> String {
-    serde_json::Value::from(text).to_string()
+    serde_json::Value::from(text).to_string().replace('\u{7f}', "\\u007f")
 }
 
 #[cfg(test)]

@@ -5,11 +5,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The wings of `src`, in the order in which data flows through them: a wing imports only those before it.
-const WINGS: [&str; 18] = [
+const WINGS: [&str; 19] = [
     "units",
     "figures",
     "markdown",
     "memo",
+    "paper_logger",
     "params",
     "solid",
     "frame",
@@ -27,11 +28,12 @@ const WINGS: [&str; 18] = [
 ];
 
 /// Each layer, a wing or a room of one, and the layers that it may import: all of them stand before it.
-const LAYERS: [(&str, &[&str]); 39] = [
+const LAYERS: [(&str, &[&str]); 40] = [
     ("units", &[]),
     ("figures", &[]),
     ("markdown", &[]),
     ("memo", &[]),
+    ("paper_logger", &[]),
     ("params", &["units", "figures"]),
     ("solid", &["units", "memo"]),
     ("frame/skeleton", &["units", "figures", "params"]),
@@ -87,11 +89,11 @@ const LAYERS: [(&str, &[&str]); 39] = [
     ("impact/body", &["frame/assembly", "checks"]),
     ("impact/wide_registers", &[]),
     ("impact/effects", &["units", "params", "impact/body"]),
-    ("impact/sim", &["units", "impact/wide_registers", "impact/body", "impact/effects"]),
-    ("impact/measured", &["units", "figures"]),
+    ("impact/sim", &["units", "paper_logger", "impact/wide_registers", "impact/body", "impact/effects"]),
+    ("impact/measured", &["units", "figures", "paper_logger"]),
     ("impact/fit", &["units", "impact/wide_registers", "impact/effects", "impact/sim", "impact/measured"]),
     ("impact/synthetic", &["units", "params", "impact/effects"]),
-    ("impact/frame_fit", &["units", "frame/assembly", "mechanics", "impact/body", "impact/effects", "impact/measured", "impact/fit"]),
+    ("impact/frame_fit", &["units", "paper_logger", "frame/assembly", "mechanics", "impact/body", "impact/effects", "impact/measured", "impact/fit"]),
     ("impact/diagnose", &["units", "figures", "impact/effects", "impact/sim", "impact/measured", "impact/fit"]),
     (
         "impact/landing",
@@ -137,6 +139,7 @@ const LAYERS: [(&str, &[&str]); 39] = [
         &[
             "figures",
             "markdown",
+            "paper_logger",
             "params",
             "solid",
             "frame/skeleton",

@@ -49,8 +49,7 @@ pub(super) fn run(args: &Args, heights_m: &[f64], common: &Common) -> Result<Exi
     let tilt_deg = <[f64; 2]>::try_from(args.tilt.as_slice()).unwrap_or_default();
     let found = Impacts { frame: &design.frame.name, settings: &settings, mass_g: masses.total_g, underside, tilt_deg, impacts: &impacts };
     let json = impact_data::json(&found, args.trace);
-    let mut files = impact_plots::plots(&found)
-        .map_err(|error| Failure::Machine { what: "cannot make the plots".into(), error: std::io::Error::other(error) })?;
+    let mut files = impact_plots::plots(&found)?;
     files.push(("trace.csv".into(), impact_data::trace_csv(&found)?.into_bytes()));
     files.push(("impact.json".into(), format!("{json:#}\n").into_bytes()));
     if let Some(highest) = impacts.iter().max_by(|a, b| a.height_m.total_cmp(&b.height_m)) {

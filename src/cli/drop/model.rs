@@ -30,8 +30,7 @@ pub(super) fn run(args: &Args, heights_m: &[f64], common: &Common) -> Result<Exi
     let system = System::new(&model);
     let traces: Vec<Trace> = heights_m.iter().map(|height_m| simulate(&system, *height_m, &SolverOptions::REPORT)).collect();
     let json = drop_data::json(&model, &traces, args.trace);
-    let mut files = drop_plots::plots(&model, &traces)
-        .map_err(|error| Failure::Machine { what: "cannot make the plots".into(), error: std::io::Error::other(error) })?;
+    let mut files = drop_plots::plots(&model, &traces)?;
     files.push(("results.csv".into(), drop_data::results_csv(&traces)?.into_bytes()));
     files.push(("trace.csv".into(), drop_data::trace_csv(&traces)?.into_bytes()));
     files.push(("samples.csv".into(), drop_data::samples_csv(&model, &traces)?.into_bytes()));

@@ -24,10 +24,12 @@ pub(in crate::cli) fn write_result(folder: &Path, files: &[(String, Vec<u8>)]) -
     for (name, _) in files.iter().filter(|(name, bytes)| !is_there(name, bytes)) {
         set_aside(folder, Path::new(name), &record)?;
     }
-    let list = Record::file_for(files).map_err(failed("write", &folder.join(RECORD)))?;
-    // The list first: a run that is killed leaves nothing of its own that is not on it.
-    let list = list.map(|bytes| (RECORD.to_string(), bytes));
-    for (name, bytes) in list.iter().chain(files).filter(|(name, bytes)| !is_there(name, bytes)) {
+    let on_list = |list: io::Result<Vec<u8>>| list.map_err(failed("write", &folder.join(RECORD))).map(|bytes| (RECORD.to_string(), bytes));
+    // A list of old and new files first: a run that is killed leaves nothing of its own that is not on it.
+    let before = on_list(record.while_replaced_by(files))?;
+    let after = on_list(Record::list_of(files))?;
+    let is_whole = files.iter().chain([&after]).all(|(name, bytes)| is_there(name, bytes));
+    for (name, bytes) in [&before].into_iter().chain(files).chain([&after]).filter(|(name, bytes)| !is_whole && !is_there(name, bytes)) {
         let place = folder.join(name);
         replace_file(&place, bytes).map_err(failed("write", &place))?;
     }
@@ -83,6 +85,26 @@ mod tests {
 
     fn written(text: &str) -> Vec<(String, Vec<u8>)> {
         vec![("study.csv".into(), text.as_bytes().to_vec())]
+    }
+
+    /// Killed before its files are written, or between two of them.
+    #[test]
+    fn planted_what_an_interrupted_run_left_is_nobody_elses() {
+        let two = |text: &str| ["a.csv", "b.csv"].map(|name| (name.to_string(), text.as_bytes().to_vec())).to_vec();
+        for written in 0..=2 {
+            let folder = tempfile::tempdir().expect("a folder");
+            let folder = folder.path();
+            write_result(folder, &two("1")).expect("can be written");
+            let list = Record::read(folder).while_replaced_by(&two("2")).expect("can be listed");
+            fs::write(folder.join(RECORD), list).expect("can be written");
+            for (name, bytes) in &two("2")[..written] {
+                fs::write(folder.join(name), bytes).expect("can be written");
+            }
+            write_result(folder, &two("3")).expect("can be written");
+            let found = folder::entries(folder).expect("can be read");
+            assert_eq!(found.iter().map(|entry| entry.path.display().to_string()).collect::<Vec<_>>(), [RECORD, "a.csv", "b.csv"]);
+            assert_eq!(fs::read(folder.join(RECORD)).expect("is there"), Record::list_of(&two("3")).expect("can be listed"));
+        }
     }
 
     #[test]

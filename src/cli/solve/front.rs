@@ -38,7 +38,7 @@ fn write(front: &Front, json: &serde_json::Value, frame: &str, folder: &Path) ->
     files.push(("pareto.json".into(), format!("{json:#}\n").into_bytes()));
     let points: Vec<&[f64]> = front.points.iter().map(|point| &point.goals[..]).collect();
     let plots = front_plot::plots(&front.goals, &points, frame);
-    files.extend(plots.map_err(|error| Failure::Machine { what: "cannot make the plots".into(), error: std::io::Error::other(error) })?);
+    files.extend(plots?);
     output::write_folder(folder, &format!("pareto-{frame}"), &files)
 }
 

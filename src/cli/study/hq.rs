@@ -1,8 +1,8 @@
 //! Rows on a cluster, by HyperQueue: one job with a task a block of rows.
 //!
 //! A task writes its rows as one file into the folder `blocks` beside the journal, on a file system that all nodes see. There are
-//! at most a thousand such files at a time, and none when the study is done: their rows are gathered into the journal. A task that a
-//! worker or the server loses is begun again by HyperQueue, or by the next run, and writes the same.
+//! at most a thousand such files at a time, more only where rows that are done lie between the missing ones, and none when the study is done: their rows
+//! are gathered into the journal. A task that a worker or the server loses is begun again by HyperQueue, or by the next run, and writes the same.
 
 use std::fs;
 use std::io::{self, ErrorKind};
@@ -16,7 +16,7 @@ use crate::cli::output;
 use crate::cli::terminal;
 use crate::study::{Journal, Outcomes, Study};
 
-/// Most files of blocks at a time: what a shared file system lists without effort.
+/// Most files of blocks at a time, where no row between them is done: what a shared file system lists without effort.
 const MOST_BLOCKS: usize = 1000;
 /// Exit code of a client whose work is done.
 const GOOD: i32 = 0;

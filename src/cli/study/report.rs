@@ -52,7 +52,7 @@ fn of_frames(args: &Args, study: &Study, folder: &Path, known: &Outcomes, common
     let (explained, unexplained) = explained(study, known);
     let report = StudyReport { study, outcomes: known, goals: &goals, front: &found, indices: &explained, without_indices: &unexplained };
     let plots = study_plots::plots(study, known, &goals, &found, &explained);
-    let plots = plots.map_err(|error| Failure::Machine { what: "cannot make the plots".into(), error: std::io::Error::other(error) })?;
+    let plots = plots?;
     let json = json(&report);
     let blocks = report.blocks(&plots);
     let mut files = vec![

@@ -34,8 +34,8 @@ pub struct Covariate {
 pub struct CovariateEffect {
     /// Its name.
     pub id: String,
-    /// Part of the variance between drops of one height, out of sample; below 0 where it predicts worse than the mean. `None` where the
-    /// quantity is the same for all drops of each height: it then explains nothing, and nothing is known of it.
+    /// Part of the variance between drops of one height, out of sample; below 0 where it predicts worse than the mean. `None` where nothing can be known
+    /// of it: the quantity is the same for all drops of each height, or has nearly as many names as drops.
     pub explained: Option<f64>,
     /// p-value under permutation within each height.
     pub p: Option<f64>,
@@ -43,6 +43,9 @@ pub struct CovariateEffect {
     pub drops: usize,
     /// All drops.
     pub of: usize,
+    /// Whether it is the same for all drops of each height.
+    #[serde(skip)]
+    pub is_same: bool,
 }
 
 impl Covariate {
@@ -81,26 +84,25 @@ impl Covariate {
         let drops = windows.iter().map(Vec::len).sum();
         let of = waves.groups.iter().map(|group| group.windows.len()).sum();
         let id = self.id.clone();
-        if values.iter().all(|height| height.windows(2).all(|pair| pair[0] == pair[1])) {
-            return CovariateEffect { id, explained: None, p: None, drops, of };
-        }
-        let explained = explained(&values, &windows);
+        let is_same = values.iter().all(|height| height.windows(2).all(|pair| pair[0] == pair[1]));
+        let explained = if is_same { None } else { explained(&values, &windows) };
+        let Some(explained) = explained else { return CovariateEffect { id, explained: None, p: None, drops, of, is_same } };
         let mut rng = Pcg64::seed_from_u64(seed);
         let as_much = (0..PERMUTED)
             .filter(|_| {
                 let mut dealt = values.clone();
                 dealt.iter_mut().for_each(|height| height.shuffle(&mut rng));
-                self::explained(&dealt, &windows) >= explained
+                self::explained(&dealt, &windows).is_some_and(|dealt| dealt >= explained)
             })
             .count();
-        CovariateEffect { id, explained: Some(explained), p: Some((as_much + 1) as f64 / (PERMUTED + 1) as f64), drops, of }
+        CovariateEffect { id, explained: Some(explained), p: Some((as_much + 1) as f64 / (PERMUTED + 1) as f64), drops, of, is_same }
     }
 }
 
 impl CovariateEffect {
     /// In a sentence.
     pub fn sentence(&self) -> String {
-        let Self { id, explained, p, drops, of } = self;
+        let Self { id, explained, p, drops, of, is_same } = self;
         let known = if drops < of { format!("{id}, known of {drops} of {of} drops,") } else { id.clone() };
         match (explained, p) {
             (Some(explained), Some(p)) if *explained <= 0.0 => {
@@ -113,12 +115,14 @@ impl CovariateEffect {
             (Some(explained), Some(p)) => {
                 format!("{known} explains {:.0} % of the variation between drops of one height (p = {})", 1e2 * explained, p_value(*p))
             }
-            _ => format!("{known} is the same for all drops of each height: what it explains cannot be told"),
+            _ if *is_same => format!("{known} is the same for all drops of each height: what it explains cannot be told"),
+            _ => format!("{known} has nearly as many values as drops from a height: what it explains cannot be told"),
         }
     }
 }
 
-fn explained(values: &[Vec<Vec<f64>>], windows: &[Vec<&[f64]>]) -> f64 {
+/// Share that is explained out of sample; `None` where no height has enough drops for so many columns.
+fn explained(values: &[Vec<Vec<f64>>], windows: &[Vec<&[f64]>]) -> Option<f64> {
     let (mut left, mut whole) = (0.0, 0.0);
     for (values, windows) in values.iter().zip(windows) {
         for part in 0..PARTS {
@@ -129,7 +133,7 @@ fn explained(values: &[Vec<Vec<f64>>], windows: &[Vec<&[f64]>]) -> f64 {
             whole += b;
         }
     }
-    if whole > 0.0 { 1.0 - left / whole } else { 0.0 }
+    (whole > 0.0).then(|| 1.0 - left / whole)
 }
 
 /// Sums of squares that the regression on some drops, and their mean alone, leave of others.

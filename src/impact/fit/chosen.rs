@@ -65,6 +65,14 @@ pub enum FitError {
         /// Those there are.
         known: String,
     },
+    /// Fewer numbers than parameters.
+    #[error("{numbers} numbers are compared, {free} parameters are free: leave some out with --free, or give drops from more heights")]
+    TooFewNumbers {
+        /// How many are compared.
+        numbers: usize,
+        /// How many are free.
+        free: usize,
+    },
     /// A trial covariance that cannot be inverted.
     #[error("the trial covariance is singular: give more drops a height")]
     Singular,
@@ -250,7 +258,7 @@ impl<'a> Chosen<'a> {
             trial,
             height_m: drop.record.height_m,
             t_s: drop.record.t_s.clone(),
-            accel_g: self.series(drop.record),
+            accel_g: self.series(drop),
         };
         let waves = Waves::of(&self.drops.iter().zip(self.names()).map(drop).collect::<Vec<_>>());
         waves.map_err(|unusable| match unusable {
@@ -269,8 +277,16 @@ impl<'a> Chosen<'a> {
         })
     }
 
-    /// What of a record is compared, g.
-    pub fn series(&self, record: &Record) -> Vec<f64> {
+    /// What of a drop is compared, less the zeros of its session, g.
+    pub fn series(&self, drop: &Drop) -> Vec<f64> {
+        match self.channel {
+            Channel::Axial => drop.axial_g(),
+            Channel::Magnitude => drop.sizes_g(),
+        }
+    }
+
+    /// The same as it was read, zeros and all, as the paper compares it, g.
+    pub fn series_as_read(&self, record: &Record) -> Vec<f64> {
         match self.channel {
             Channel::Axial => record.accel_g.clone(),
             Channel::Magnitude => (0..record.len()).map(|sample| record.size_g(sample)).collect(),

@@ -88,9 +88,15 @@ pub struct Fit {
 /// Fits what a layout leaves free; intervals by so many other sets of drops.
 ///
 /// # Errors
-/// When the simulation diverges at the starting values, or nothing that is compared depends on a free parameter.
+/// When the simulation diverges at the starting values, more parameters are free than numbers are compared, or nothing that is compared depends on a free
+/// parameter.
 pub fn fit<O: Objective>(objective: &O, layout: &Layout, samples: usize, seed: u64) -> Result<Fit, FitError> {
-    let started = objective.residual(&layout.model).ok_or(FitError::Diverges)?.norm_squared();
+    let started = objective.residual(&layout.model).ok_or(FitError::Diverges)?;
+    let (numbers, free) = (started.len(), layout.free.len());
+    if numbers < free {
+        return Err(FitError::TooFewNumbers { numbers, free });
+    }
+    let started = started.norm_squared();
     let best = starts(layout)
         .iter()
         .filter_map(|start| minimum(objective, layout, start))

@@ -35,11 +35,11 @@ pub struct Predicted {
     /// The loss from those heights.
     pub impact_loss: f64,
     /// Peak, g.
-    pub peak_g: f64,
+    pub peak_axial_g: f64,
     /// Peak over the measured median, less one, %.
     pub peak_off_percent: f64,
     /// Impulse over the speed before.
-    pub impulse: f64,
+    pub impulse_over_v0: f64,
 }
 
 /// A fit.
@@ -52,7 +52,7 @@ pub struct FrameFit {
     /// Each height by the numbers from all; not predictions.
     pub fitted: Vec<Predicted>,
     /// Each height by the numbers from all others; empty for one height.
-    pub left_out: Vec<Predicted>,
+    pub from_others: Vec<Predicted>,
     /// Each height by the numbers from each other one alone.
     pub from_one: Vec<Predicted>,
     /// Largest difference between the interpolated answers and the model at the numbers found, as a part of the peak.
@@ -86,10 +86,10 @@ fn search(surface: &ResponseSurface, heights: &[Height], used: &[usize]) -> Resu
     let residual = |at: &[f64]| {
         let of = |height: &usize| {
             let (answered, measured) = (surface.at([at[0], at[1]], *height), &heights[*height]);
-            let relative = measured.peak_g.error / measured.peak_g.value;
+            let relative = measured.peak_axial_g.error / measured.peak_axial_g.value;
             [
-                (libm::log(measured.peak_g.value) - answered.ln_peak) / relative,
-                (measured.impulse.value - answered.impulse) / measured.impulse.error,
+                (libm::log(measured.peak_axial_g.value) - answered.ln_peak) / relative,
+                (measured.impulse_over_v0.value - answered.impulse_over_v0) / measured.impulse_over_v0.error,
             ]
         };
         Some(DVector::from_iterator(2 * used.len(), used.iter().flat_map(of)))
@@ -137,15 +137,15 @@ fn predicted(subject: &Subject, heights: &[Height], asked: &[(Vec<usize>, [f64; 
     let answered: Vec<Response> =
         asked.par_iter().map(|(_, at, height)| subject.run(*at, heights[*height].logged())).collect::<Result<_, _>>()?;
     let row = |((from, at, height), answered): (&(Vec<usize>, [f64; 2], usize), Response)| {
-        let (numbers, peak_g) = (subject.numbers(*at), libm::exp(answered.ln_peak));
+        let (numbers, peak_axial_g) = (subject.numbers(*at), libm::exp(answered.ln_peak));
         Predicted {
             from_m: from.iter().map(|height| heights[*height].height_m).collect(),
             height_m: heights[*height].height_m,
             impact_modulus: numbers.impact_modulus,
             impact_loss: numbers.impact_loss,
-            peak_g,
-            peak_off_percent: 100.0 * (peak_g / heights[*height].peak_g.value - 1.0),
-            impulse: answered.impulse,
+            peak_axial_g,
+            peak_off_percent: 100.0 * (peak_axial_g / heights[*height].peak_axial_g.value - 1.0),
+            impulse_over_v0: answered.impulse_over_v0,
         }
     };
     Ok(asked.iter().zip(answered).map(row).collect())
@@ -170,12 +170,12 @@ pub fn fit(subject: &Subject, mut surface: ResponseSurface, heights: &[Height]) 
         }
     }
     let without = |height: usize| -> Vec<usize> { every.iter().copied().filter(|other| *other != height).collect() };
-    let mut left_out = Vec::new();
+    let mut from_others = Vec::new();
     let mut from_one = Vec::new();
     if heights.len() > 1 {
         for height in every.iter().copied() {
             let others = without(height);
-            left_out.push((others.clone(), place(&search(&surface, heights, &others)?), height));
+            from_others.push((others.clone(), place(&search(&surface, heights, &others)?), height));
             let alone = place(&search(&surface, heights, &[height])?);
             from_one.extend(others.into_iter().map(|other| (vec![height], alone, other)));
         }
@@ -185,7 +185,7 @@ pub fn fit(subject: &Subject, mut surface: ResponseSurface, heights: &[Height]) 
         settings: subject.numbers(place(&best)),
         estimates: estimates(&best),
         fitted: predicted(subject, heights, &all)?,
-        left_out: predicted(subject, heights, &left_out)?,
+        from_others: predicted(subject, heights, &from_others)?,
         from_one: predicted(subject, heights, &from_one)?,
         interpolation,
     })

@@ -9,15 +9,13 @@ use crate::impact::body::DropBody;
 use crate::impact::effects::{Channel, FRAME_FORCE_CURVE, FrameCurve, Model, PAYLOAD_MODE, Sensor};
 use crate::mechanics::model::frame_model::FrameModel;
 use crate::mechanics::model::model_error::ModelError;
-use crate::mechanics::result::impact::LOGGER_HZ;
 use crate::mechanics::result::reduction::Reduction;
 use crate::mechanics::result::static_curve::StaticCurve;
 use crate::mechanics::settings::MechanicsSettings;
+use crate::paper_logger::{BANDWIDTH_HZ, RANGE_G};
 
 /// Displacement of the centre up to which the frame's static curve is computed, mm.
 pub const CURVE_MM: f64 = 30.0;
-/// Full scale of the logger in the measured drops, g.
-const LIMIT_G: f64 = 230.0;
 /// Damping ratio of the mass that swings against the centre.
 const RIDER_ZETA: f64 = 0.05;
 
@@ -47,7 +45,7 @@ pub fn reduced_model(
     let reduction = Reduction::of(quarter, curve, body.mass_kg, settings)?;
     let [x_mm, phi_mm] = [0, 1].map(|column| reduction.curve_mm.iter().map(|point| point[column]).collect::<Vec<f64>>());
     let frame_curve = FrameCurve::new(&x_mm, &phi_mm).map_err(ReductionError::Curve)?;
-    let sensor = Sensor::new(LOGGER_HZ, 1, LIMIT_G, Channel::Axial);
+    let sensor = Sensor::new(BANDWIDTH_HZ, 1, RANGE_G, Channel::Axial);
     let mut model = Model::base(body, sensor, reduction.stiffness_n_mm * 1e3, reduction.damping_n_s_m);
     model.name = format!("{}-reduced", design.frame.name);
     model.frame_curve = Some(Arc::new(frame_curve));

@@ -32,16 +32,16 @@ pub struct Height {
     /// Time between the readings of most drops, s. The slower a logger, the lower are its peaks.
     pub step_s: f64,
     /// Peaks along the axis of the drops that hit once by a clock that did not stall, g, behind the logger's 500 Hz.
-    pub peak_g: MedianEstimate,
+    pub peak_axial_g: MedianEstimate,
     /// Impulse along the axis within 25 ms over the speed before, of the drops without a flag; restitution is that less one.
-    pub impulse: MedianEstimate,
+    pub impulse_over_v0: MedianEstimate,
 }
 
 impl Height {
     /// Of a summary and the time between its readings, s; `None` when no drop has an impact, or none is without a flag.
     fn of(summary: &Summary, step_s: f64) -> Option<Self> {
         let (peak, impulse) = (summary.peak_axial_g.as_ref()?, summary.impulse_over_v0.as_ref()?);
-        Some(Self { height_m: summary.height_m, step_s, peak_g: MedianEstimate::of(peak), impulse: MedianEstimate::of(impulse) })
+        Some(Self { height_m: summary.height_m, step_s, peak_axial_g: MedianEstimate::of(peak), impulse_over_v0: MedianEstimate::of(impulse) })
     }
 
     /// What the model is asked.

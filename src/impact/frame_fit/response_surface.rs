@@ -3,9 +3,10 @@
 use rayon::prelude::*;
 
 use crate::mechanics::model::frame_model::FrameModel;
-use crate::mechanics::result::impact::{Impact, ImpactError, LOGGER_HZ, Run, sampled_peak_g};
+use crate::mechanics::result::impact::{Impact, ImpactError, Run, sampled_peak_g};
 use crate::mechanics::settings::{IMPACT_LOSS, IMPACT_MODULUS, MechanicsSettings};
 use crate::units::GRAVITY_MM_MS2;
+use crate::paper_logger::BANDWIDTH_HZ;
 
 /// Length of the impulse from first touch, ms: that of the measured one.
 const IMPULSE_MS: f64 = 25.0;
@@ -38,12 +39,12 @@ pub struct Response {
     /// Logarithm of the peak, g, as a logger samples it.
     pub ln_peak: f64,
     /// Impulse within 25 ms over the speed before.
-    pub impulse: f64,
+    pub impulse_over_v0: f64,
 }
 
 impl Response {
     fn map(self, other: Self, join: impl Fn(f64, f64) -> f64) -> Self {
-        Self { ln_peak: join(self.ln_peak, other.ln_peak), impulse: join(self.impulse, other.impulse) }
+        Self { ln_peak: join(self.ln_peak, other.ln_peak), impulse_over_v0: join(self.impulse_over_v0, other.impulse_over_v0) }
     }
 }
 
@@ -61,11 +62,11 @@ impl Subject<'_> {
     pub fn run(&self, at: [f64; 2], drop: LoggedDrop) -> Result<Response, ImpactError> {
         let run = Run { longest_ms: IMPULSE_MS + 0.1, off_ground_ms: f64::INFINITY, ..Run::default() };
         let impact = Impact::new(self.model, &self.numbers(at), drop.height_m, &run)?;
-        let reading = impact.through(LOGGER_HZ);
+        let reading = impact.through(BANDWIDTH_HZ);
         let pairs = impact.moments.windows(2).zip(reading.windows(2)).filter(|(moment, _)| moment[1].t_ms <= IMPULSE_MS + 1e-9);
         let area: f64 = pairs.map(|(moment, g)| 0.5 * (g[0] + g[1]) * (moment[1].t_ms - moment[0].t_ms)).sum();
-        let impulse = area * GRAVITY_MM_MS2 / impact.speed_m_s;
-        Ok(Response { ln_peak: libm::log(sampled_peak_g(&reading, run.step_ms, 1e3 * drop.step_s)), impulse })
+        let impulse_over_v0 = area * GRAVITY_MM_MS2 / impact.speed_m_s;
+        Ok(Response { ln_peak: libm::log(sampled_peak_g(&reading, run.step_ms, 1e3 * drop.step_s)), impulse_over_v0 })
     }
 }
 
@@ -89,7 +90,7 @@ impl ResponseSurface {
             (0..drops.len()).flat_map(|h| (0..4).flat_map(move |i| (0..4).map(move |j| (h, i, j)))).collect();
         let answers: Vec<Response> =
             jobs.par_iter().map(|(h, i, j)| subject.run([libm::log(MODULI[*i]), ROOT_LOSSES[*j]], drops[*h])).collect::<Result<_, _>>()?;
-        let none = Response { ln_peak: 0.0, impulse: 0.0 };
+        let none = Response { ln_peak: 0.0, impulse_over_v0: 0.0 };
         let mut nodes = vec![[[none; 4]; 4]; drops.len()];
         for ((h, i, j), answer) in jobs.into_iter().zip(answers) {
             nodes[h][i][j] = answer;

@@ -72,9 +72,9 @@ impl ObservedLandings {
             let drops: Vec<ObservedLanding> = read
                 .filter_map(|((trial, window), (drop, read))| {
                     let ((touches, pattern), drop) = (read?, (*drop)?);
-                    let (t_s, [x, y, _]) = drop.aligned_axes()?;
+                    let (t_s, axes) = drop.aligned_axes()?;
                     let around = around_impact(&t_s);
-                    let axes = [&x, &y, &drop.record.accel_g].map(|readings| readings[around.clone()].to_vec());
+                    let axes = axes.map(|readings| readings[around.clone()].to_vec());
                     Some(ObservedLanding { trial: trial.clone(), window: window.clone(), axes, touches, pattern })
                 })
                 .collect();

@@ -111,6 +111,11 @@ impl Fall {
     }
 }
 
+/// Speed after a fall without air, m/s.
+pub fn impact_speed_m_s(height_m: f64) -> f64 {
+    (2.0 * GRAVITY_M_S2 * height_m).sqrt()
+}
+
 /// How long a free fall lasts, s.
 pub(super) fn lasting_s(height_m: f64) -> f64 {
     (2.0 * height_m / GRAVITY_M_S2).sqrt()

@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
+use super::fall::lasting_s;
 use super::record::{DropSet, Record};
 use super::session::Session;
 use super::spread::Spread;
-use crate::units::GRAVITY_M_S2;
 
 /// Least offset that is told, g. Below it falls and impacts are still found, and a session's zero is reported.
 const LEAST_G: f64 = 0.3;
@@ -89,7 +89,7 @@ impl FreeFallOffset {
 /// Mean reading of an axis at the end of the fall, g; `None` where the record has too little of it, or it is not quiet.
 fn in_fall_g(record: &Record, readings_g: &[f64]) -> Option<f64> {
     let peak = (0..record.len()).max_by(|a, b| record.size_g(*a).total_cmp(&record.size_g(*b)))?;
-    let fall_s = (2.0 * record.height_m / GRAVITY_M_S2).sqrt();
+    let fall_s = lasting_s(record.height_m);
     let at = |before_s: f64| record.t_s.partition_point(|t_s| *t_s < record.t_s[peak] - before_s);
     let falling = at(END_OF_FALL * fall_s)..at(TOUCH_S);
     let readings = readings_g.get(falling).filter(|readings| readings.len() >= FALLING)?;

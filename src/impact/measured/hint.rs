@@ -80,7 +80,8 @@ pub enum Hint {
     },
     /// Far less than a drop has.
     #[error(
-        "the readings are too small, or the heights too large: the impulse is {over_v0:.2} v0, that of a drop 0.7 to 2 v0. Check --units (leave out m/s2 where the readings are in g) and the logger's scale"
+        "the readings are too small, or the heights too large: the impulse is {over_v0:.2} v0, that of a drop {} to {} v0. Check --units (leave out m/s2 where the readings are in g) and the logger's scale",
+        DROP[0], DROP[1]
     )]
     TooSmall {
         /// Median impulse along the axis over the impact speed.
@@ -88,8 +89,9 @@ pub enum Hint {
     },
     /// Far more than a drop has, in no unit that is known.
     #[error(
-        "the readings are too large: the impulse is {over_v0:.0} v0, that of a drop 0.7 to 2 v0. Readings in counts take --units N/g, where N \
-         counts are a g"
+        "the readings are too large: the impulse is {over_v0:.0} v0, that of a drop {} to {} v0. Readings in counts take --units N/g, where N \
+         counts are a g",
+        DROP[0], DROP[1]
     )]
     TooLarge {
         /// Median impulse along the axis over the impact speed.

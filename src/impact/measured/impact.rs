@@ -19,6 +19,8 @@ const FALL_SAMPLES: usize = 5;
 const LEAST_FALL_S: f64 = 0.02;
 /// The last of the fall, from which the noise is estimated, s: the first may hold the release.
 const NOISE_S: f64 = 0.2;
+/// Fewest samples of a fall that say where zero is.
+const FALLING: usize = 20;
 /// Before the trigger the ground may touch already, s.
 const TOUCH_S: f64 = 0.002;
 /// The frame has left the ground when no reading is above [`TRIGGER_G`] for this long, s.
@@ -56,6 +58,12 @@ pub struct Impact {
 }
 
 impl Impact {
+    /// Samples of the fall without its first fifth, which may hold the release; `None` for a fall that is too short.
+    pub(super) fn behind_release(&self) -> Option<Range<usize>> {
+        let falling = self.falling.start + self.falling.len() / 5..self.falling.end;
+        (falling.len() >= FALLING).then_some(falling)
+    }
+
     /// Finds the impact; `None` when no reading is above 3 g.
     pub fn of(record: &Record) -> Option<Self> {
         let size = |sample: usize| record.size_g(sample);

@@ -19,7 +19,7 @@ pub struct Drop<'a> {
     pub impact: Option<Impact>,
     /// What is wrong with it.
     pub flags: Vec<Flag>,
-    /// Mean readings of its session in free fall, where they should be 0: x, y and z, g. Zero where they are not known.
+    /// Zeros of its session: readings of x, y and z in free fall without drag of the air, g. 0 where they are not known.
     pub zero_g: [f64; 3],
 }
 
@@ -34,12 +34,24 @@ impl<'a> Drop<'a> {
         self.flags.iter().any(|flag| matches!(flag, Flag::ClockStall { .. }))
     }
 
-    /// Readings of x, y and z in g less the session's zero, and their times from the trigger on, s; `None` where they were not all
-    /// measured, or nothing hit.
+    /// Readings along the axis less the session's zero, g.
+    pub fn axial_g(&self) -> Vec<f64> {
+        less(&self.record.accel_g, self.zero_g[2])
+    }
+
+    /// Magnitude of the readings less the session's zeros, g: of all axes, or of the one there is.
+    pub fn sizes_g(&self) -> Vec<f64> {
+        let Some(axes) = &self.record.axes_g else { return self.axial_g().into_iter().map(f64::abs).collect() };
+        let square = |axis: usize, sample: usize| (axes[axis][sample] - self.zero_g[axis]).powi(2);
+        (0..self.record.len()).map(|sample| (0..3).map(|axis| square(axis, sample)).sum::<f64>().sqrt()).collect()
+    }
+
+    /// Readings of x, y and along the axis in g less the session's zeros, and their times from the trigger on, s; `None` where they were
+    /// not all measured, or nothing hit.
     pub fn aligned_axes(&self) -> Option<(Vec<f64>, [Vec<f64>; 3])> {
-        let (axes, impact) = (self.record.axes_g.as_ref()?, self.impact.as_ref()?);
+        let ([x, y, _], impact) = (self.record.axes_g.as_ref()?, self.impact.as_ref()?);
         let start_s = self.record.t_s[impact.trigger];
-        let zeroed = [0, 1, 2].map(|axis| axes[axis].iter().map(|reading| reading - self.zero_g[axis]).collect());
+        let zeroed = [less(x, self.zero_g[0]), less(y, self.zero_g[1]), self.axial_g()];
         Some((self.record.t_s.iter().map(|t_s| t_s - start_s).collect(), zeroed))
     }
 }
@@ -83,6 +95,10 @@ impl<'a> JudgedDrops<'a> {
         let groups = set.groups.iter().zip(&impacts).map(judged).collect();
         Self { groups, sessions, periods }
     }
+}
+
+fn less(readings: &[f64], zero_g: f64) -> Vec<f64> {
+    readings.iter().map(|reading| reading - zero_g).collect()
 }
 
 /// The period of a frame's records: one logger, one memory.

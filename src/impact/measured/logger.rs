@@ -7,11 +7,10 @@ use std::collections::BTreeMap;
 
 use super::malformed::{Fault, SourcePosition};
 use super::record::Record;
+use crate::paper_logger::COUNTS_PER_G;
 
 /// Bytes of a sample.
 const SAMPLE: usize = 10;
-/// Counts of the axis, z, to one g.
-const AXIAL_COUNTS_PER_G: f64 = 8.877_004_38;
 
 /// From counts to g.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,8 +33,8 @@ impl Calibration {
 
 impl Default for Calibration {
     fn default() -> Self {
-        let side = AXIAL_COUNTS_PER_G * 0.9577;
-        Self { offset_counts: [2_019.938_72, 2020.0, 2_020.772_844_38], counts_per_g: [side, side, AXIAL_COUNTS_PER_G], full_scale: 4095 }
+        let side = COUNTS_PER_G * 0.9577;
+        Self { offset_counts: [2_019.938_72, 2020.0, 2_020.772_844_38], counts_per_g: [side, side, COUNTS_PER_G], full_scale: 4095 }
     }
 }
 

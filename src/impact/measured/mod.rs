@@ -19,6 +19,7 @@ mod drop_order;
 mod drop_table;
 mod encoding;
 mod fall;
+mod fall_drag;
 mod fall_length;
 mod file_format;
 mod file_kind;
@@ -56,7 +57,7 @@ pub use decimal::decimal;
 #[cfg(feature = "cli")]
 pub use disk::read;
 pub use drop_table::DropTable;
-pub use fall::{Fall, RELEASE_S};
+pub use fall::{Fall, RELEASE_S, impact_speed_m_s};
 pub use file_format::FileFormat;
 pub use flag::{Flag, flags};
 #[cfg(feature = "cli")]
@@ -84,10 +85,3 @@ pub use static_test::read_static_test;
 pub use summary::Summary;
 pub use symptom::{symptoms, symptoms_and_heights};
 pub use table_format::{Column, FormatError, Quantity, TableFormat};
-
-use crate::units::GRAVITY_M_S2;
-
-/// Speed after a fall without air, m/s.
-pub fn impact_speed_m_s(height_m: f64) -> f64 {
-    (2.0 * GRAVITY_M_S2 * height_m).sqrt()
-}

@@ -4,23 +4,22 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
+use super::fall_drag::FallDrag;
 use super::impact::Impact;
 use super::record::Record;
 use super::spread::Spread;
 
-/// Fewest samples of a fall that say where zero is.
-const FALLING: usize = 20;
 /// Before the fall begins a hand lets go, s.
 const RELEASE_S: f64 = 0.1;
 /// Held before that for so long at least, s.
 const HELD_S: f64 = 0.1;
 
-/// The mean reading of an axis in free fall.
+/// The mean reading of an axis in free fall, of the axis along the fall without the drag of the air.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Zero {
     /// Median over the records of each record's mean, g; 0 for a sensor that is calibrated.
     pub mean_g: f64,
-    /// Its standard error, from the variation between records, g.
+    /// Its standard error, from the variation between records, g. That of the drag is not in it.
     pub error_g: f64,
     /// Records with a fall.
     pub records: usize,
@@ -52,20 +51,29 @@ impl Session {
     /// All sessions of some records with their impacts, by name.
     pub fn all<'a>(records: impl Iterator<Item = (&'a Record, &'a Option<Impact>)>) -> Vec<Self> {
         let mut by_name: BTreeMap<String, Vec<(&Record, Option<&Impact>)>> = BTreeMap::new();
+        let mut by_frame: BTreeMap<Option<&str>, Vec<(&Record, &Impact)>> = BTreeMap::new();
         for (record, impact) in records {
             by_name.entry(Self::name_of(record)).or_default().push((record, impact.as_ref()));
+            by_frame.entry(record.frame.as_deref()).or_default().extend(impact.as_ref().map(|impact| (record, impact)));
         }
-        by_name.into_iter().map(|(name, records)| Self::of(name, &records)).collect()
+        let drags: BTreeMap<Option<&str>, FallDrag> =
+            by_frame.into_iter().map(|(frame, falls)| (frame, FallDrag::of(falls.into_iter()))).collect();
+        by_name.into_iter().map(|(name, records)| Self::of(name, &records, &drags)).collect()
     }
 
-    fn of(name: String, records: &[(&Record, Option<&Impact>)]) -> Self {
-        let zeros = [0, 1, 2].map(|axis| zero(records, axis));
+    fn of(name: String, records: &[(&Record, Option<&Impact>)], drags: &BTreeMap<Option<&str>, FallDrag>) -> Self {
+        let drag = |record: &Record| drags.get(&record.frame.as_deref()).copied().unwrap_or_default();
+        let zeros = [
+            zero(records, |record, impact| mean_in_fall(record, impact, 0)),
+            zero(records, |record, impact| mean_in_fall(record, impact, 1)),
+            zero(records, |record, impact| drag(record).zero_g(record, impact)),
+        ];
         let session = Self { name, records: records.len(), zeros, held_g: None };
         let held_g = Spread::of(records.iter().filter_map(|(record, impact)| held_g(record, (*impact)?, session.zero_g())));
         Self { held_g, ..session }
     }
 
-    /// Mean readings in free fall, g: x, y, z; 0 where they are not known.
+    /// Zeros of x, y and z, g; 0 where they are not known.
     pub fn zero_g(&self) -> [f64; 3] {
         self.zeros.map(|zero| zero.map_or(0.0, |zero| zero.mean_g))
     }
@@ -73,20 +81,18 @@ impl Session {
 
 /// Mean reading of an axis over the fall, g; `None` for a fall that is too short, and for an axis that was not measured.
 pub fn mean_in_fall(record: &Record, impact: &Impact, axis: usize) -> Option<f64> {
-    let falling = impact.falling.clone();
-    // The first fifth may hold the release.
-    let falling = falling.start + falling.len() / 5..falling.end;
+    let falling = impact.behind_release()?;
     let readings = match &record.axes_g {
         Some(axes) => &axes[axis],
         None if axis == 2 => &record.accel_g,
         None => return None,
     };
-    (falling.len() >= FALLING).then(|| readings[falling.clone()].iter().sum::<f64>() / falling.len() as f64)
+    Some(readings[falling.clone()].iter().sum::<f64>() / falling.len() as f64)
 }
 
-/// Mean over records of the mean over the fall.
-fn zero(records: &[(&Record, Option<&Impact>)], axis: usize) -> Option<Zero> {
-    let spread = Spread::of(records.iter().filter_map(|(record, impact)| mean_in_fall(record, (*impact)?, axis)))?;
+/// Median over records.
+fn zero(records: &[(&Record, Option<&Impact>)], of: impl Fn(&Record, &Impact) -> Option<f64>) -> Option<Zero> {
+    let spread = Spread::of(records.iter().filter_map(|(record, impact)| of(record, (*impact)?)))?;
     // The median, because some falls are none.
     Some(Zero { mean_g: spread.median, error_g: spread.median_error(), records: spread.count })
 }

@@ -31,6 +31,10 @@ pub(super) fn rows<T, const N: usize>(
     let bytes = plain(bytes)?;
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).delimiter(separator(bytes)).from_reader(bytes);
     let names = reader.byte_headers().map_err(|error| refused(&error))?.clone();
+    let twice = |name: &str| names.iter().filter(|found| found.trim_ascii() == name.as_bytes()).count() > 1;
+    if let Some(name) = columns.needed.iter().chain(&columns.optional).find(|name| twice(name)) {
+        return Err((SourcePosition::Line(1), Fault::TwoColumns { name: name.to_string() }));
+    }
     let place = |wanted: &str| names.iter().position(|name| name.trim_ascii() == wanted.as_bytes());
     let found = columns.needed.map(place);
     let missing: Vec<String> =

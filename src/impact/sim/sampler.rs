@@ -1,6 +1,8 @@
 //! What a logger makes of the sensor's output: samples at equal steps with a phase that nobody knows, rounded to the
 //! converter's counts, within its range.
 
+use crate::paper_logger::{COUNTS_PER_G, RANGE_G, STEP_MS};
+
 /// A logger.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sampler {
@@ -15,8 +17,8 @@ pub struct Sampler {
 }
 
 impl Sampler {
-    /// The logger of the paper's drops: 1 kHz, 8.877 counts to one g.
-    pub const LOGGER: Self = Self { rate_hz: 1000.0, phase_s: 0.0, counts_per_g: 8.877, range_g: 230.0 };
+    /// The logger of the paper's drops.
+    pub const LOGGER: Self = Self { rate_hz: 1e3 / STEP_MS, phase_s: 0.0, counts_per_g: COUNTS_PER_G, range_g: RANGE_G };
 
     /// Time of a sample, s from first touch; negative numbers lie in the fall.
     pub fn time_s(&self, sample: i32) -> f64 {
@@ -71,11 +73,11 @@ mod tests {
     fn analytic_rounding_and_range() {
         let logger = Sampler::LOGGER;
         assert_eq!(logger.quantised_g(0.05), 0.0);
-        assert!((logger.quantised_g(0.1) - 1.0 / 8.877).abs() < 1e-15);
-        assert!((logger.quantised_g(1e6) - 230.0).abs() < 0.5 / 8.877);
+        assert!((logger.quantised_g(0.1) - 1.0 / COUNTS_PER_G).abs() < 1e-15);
+        assert!((logger.quantised_g(1e6) - 230.0).abs() < 0.5 / COUNTS_PER_G);
         for i in 0..1000 {
             let reading_g = 0.37 * f64::from(i) - 180.0;
-            assert!((logger.quantised_g(reading_g) - reading_g).abs() <= 0.5 / 8.877 + 1e-12);
+            assert!((logger.quantised_g(reading_g) - reading_g).abs() <= 0.5 / COUNTS_PER_G + 1e-12);
         }
     }
 }

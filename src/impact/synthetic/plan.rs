@@ -49,6 +49,11 @@ pub struct Plan {
     pub seed: u64,
 }
 
+/// Most readings of a plan: chosen, a table of some gigabyte.
+const MOST_READINGS: f64 = 2e7;
+/// Length of a record of the impact alone, s.
+const IMPACT_S: f64 = 0.05;
+
 /// A plain number of a plan: key, bounds, unit, and default.
 pub const PLAN_NUMBERS: [(&str, [f64; 2], &str, f64); 26] = [
     ("drops.count", [2.0, 100_000.0], "1", 20.0),
@@ -155,16 +160,25 @@ impl Plan {
             tilt_deg: number("scatter.tilt_deg")?,
         };
         let landings = landings(file, &number, &model)?;
+        let (heights_m, drops) = (heights_m(file)?, whole("drops.count")? as usize);
+        let (rate_hz, stalls) = (number("logger.rate_hz")?, stalls(file, &number)?);
+        let record_s = stalls.map_or(IMPACT_S, |stalls| stalls.record_s);
+        let readings = heights_m.len() as f64 * drops as f64 * rate_hz * record_s;
+        if readings > MOST_READINGS {
+            let message = format!("{} heights, {drops} drops each and {record_s} s at {rate_hz} Hz are {readings:.1e} readings", heights_m.len());
+            let remedy = format!("lower `drops.count`, `logger.rate_hz` or `logger.record_s`: at most {MOST_READINGS:.0e} readings are held and written");
+            return Err(file.refuse("drops.count", Reason::Impossible { message, remedy }));
+        }
         Ok(Self {
             model,
             hidden: hidden(file, number("hidden.loss")?)?,
-            heights_m: heights_m(file)?,
-            drops: whole("drops.count")? as usize,
+            heights_m,
+            drops,
             scatter,
             noise_g: number("logger.noise_g")?,
             counts_per_g: number("logger.counts_per_g")?,
-            rate_hz: number("logger.rate_hz")?,
-            stalls: stalls(file, &number)?,
+            rate_hz,
+            stalls,
             landings,
             seed: whole("drops.seed")?,
         })

@@ -53,7 +53,7 @@ impl ScatterLaw {
             Self::PerHeightLevel => {
                 let mut own = Pcg64::seed_from_u64(seed ^ height_m.to_bits());
                 let normal: f64 = StandardNormal.sample(&mut own);
-                libm::exp(LEVEL * (2.0 * 0.5 * libm::erfc(-normal / std::f64::consts::SQRT_2) - 1.0))
+                libm::exp(LEVEL * (libm::erfc(-normal / std::f64::consts::SQRT_2) - 1.0))
             }
         }
     }

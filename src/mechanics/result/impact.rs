@@ -1,4 +1,4 @@
-//! The frame dropped on level ground, feet first, all four at once: what its payload feels.
+//! The frame dropped on level ground, feet first, level or tilted: what its payload feels.
 
 use std::collections::BTreeMap;
 
@@ -13,11 +13,6 @@ use crate::mechanics::solve::dynamics::{DynamicsError, TimeIntegration};
 use crate::mechanics::solve::memory::Energies;
 use crate::mechanics::system::structure::State;
 use crate::units::{Angle, GRAVITY_M_S2, GRAVITY_MM_MS2};
-
-/// Bandwidth of the logger in the measured drops, Hz, first order (ADXL377).
-pub const LOGGER_HZ: f64 = 500.0;
-/// Time between its readings, ms.
-pub const LOGGER_STEP_MS: f64 = 1.0;
 
 /// How a drop is computed.
 #[derive(Clone, Copy, Debug, PartialEq)]

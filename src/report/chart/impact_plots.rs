@@ -4,8 +4,9 @@ use plotters::chart::SeriesLabelPosition;
 
 use super::lines::{Lines, Series};
 use super::plot::{self, PlotError};
-use crate::mechanics::result::impact::{Impact, LOGGER_HZ, Moment};
+use crate::mechanics::result::impact::{Impact, Moment};
 use crate::report::data::impact_data::Impacts;
+use crate::paper_logger::BANDWIDTH_HZ;
 
 /// Every plot, path and bytes.
 ///
@@ -45,10 +46,10 @@ fn acceleration(found: &Impacts) -> Lines {
     let mut all = Vec::new();
     for (at, impact) in found.impacts.iter().enumerate() {
         all.push(series(impact, impact.moments.iter().map(|m| m.proper_g), at, None));
-        all.push(series(impact, impact.through(LOGGER_HZ).into_iter(), at, Some(format!("{} m, sensor", impact.height_m))));
+        all.push(series(impact, impact.through(BANDWIDTH_HZ).into_iter(), at, Some(format!("{} m, sensor", impact.height_m))));
     }
     Lines {
-        left: left(found, |impact| impact.through(LOGGER_HZ)),
+        left: left(found, |impact| impact.through(BANDWIDTH_HZ)),
         title: format!("{}: payload, pale as it is, strong through the sensor", found.frame),
         across: "time from first touch, ms",
         up: "acceleration, g",

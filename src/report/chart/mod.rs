@@ -14,3 +14,5 @@ pub(in crate::report) mod parallel;
 pub(in crate::report) mod plot;
 pub mod stiffness_plots;
 pub mod study_plots;
+
+pub use plot::PlotError;

@@ -74,13 +74,12 @@ impl Compared {
             .free_fall
             .iter()
             .filter(|reading| reading.is_told())
-            .map(|reading| format!("{:.2} g from {} m", reading.along_g, reading.height_m))
+            .map(|reading| format!("{:.2} g from {} m (zero {:.2} g)", reading.along_g, reading.height_m, reading.zero_g))
             .collect();
         (!told.is_empty()).then(|| {
             format!(
-                "note: in free fall the axis reads {}, not 0: the sensor's zero, and drag of the air. Readings are compared as they are, and a small effect \
-                 may be named or refused for it; --zero for tables, or --offset-counts for files of the logger, takes it off and shows whether the \
-                 verdict stays",
+                "note: in free fall the axis reads {}: the sensor's zero, which is taken off what is compared where the fall is long enough to tell it, and \
+                 drag of the air",
                 told.join(", ")
             )
         })

@@ -6,6 +6,7 @@ use serde_json::{Value, json};
 
 use super::drop_data;
 use crate::impact::fit::{Chosen, Fit};
+use crate::impact::measured::Drop;
 
 /// A fit with what it was made of.
 pub struct Run<'a> {
@@ -23,6 +24,13 @@ pub struct Run<'a> {
     pub seed: u64,
     /// How the fitted model is wrong, with the height, m.
     pub warnings: &'a [(f64, String)],
+}
+
+impl Run<'_> {
+    /// What of a drop was compared, g: the paper's objective takes readings with their zeros.
+    pub fn series(&self, drop: &Drop) -> Vec<f64> {
+        if self.numbers.is_some() { self.chosen.series(drop) } else { self.chosen.series_as_read(drop.record) }
+    }
 }
 
 /// Everything.

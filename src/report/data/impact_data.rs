@@ -7,9 +7,10 @@ use serde_json::{Value, json};
 use crate::export::ExportError;
 use crate::export::table::csv;
 use crate::figures::{PARAMETER_DIGITS, significant};
-use crate::mechanics::result::impact::{Impact, LOGGER_HZ, LOGGER_STEP_MS, Run, sampled_peak_g};
+use crate::mechanics::result::impact::{Impact, Run, sampled_peak_g};
 use crate::mechanics::result::underside::{Reached, Underside};
 use crate::mechanics::settings::MechanicsSettings;
+use crate::paper_logger::{BANDWIDTH_HZ, STEP_MS};
 
 /// What was computed.
 pub struct Impacts<'a> {
@@ -29,13 +30,13 @@ pub struct Impacts<'a> {
 
 /// Peak behind the sensor, g.
 pub fn sensor_peak_g(impact: &Impact) -> f64 {
-    impact.through(LOGGER_HZ).into_iter().fold(0.0, f64::max)
+    impact.through(BANDWIDTH_HZ).into_iter().fold(0.0, f64::max)
 }
 
 /// Peak in the records of the real drops' logger, g: behind the sensor, one reading a millisecond. This is what a measured peak compares
 /// with; it holds for the steps of [`Run::default`].
 fn logged_peak_g(impact: &Impact) -> f64 {
-    sampled_peak_g(&impact.through(LOGGER_HZ), Run::default().step_ms, LOGGER_STEP_MS)
+    sampled_peak_g(&impact.through(BANDWIDTH_HZ), Run::default().step_ms, STEP_MS)
 }
 
 fn of_height(found: &Impacts, impact: &Impact, series: bool) -> Value {
@@ -70,7 +71,7 @@ fn of_height(found: &Impacts, impact: &Impact, series: bool) -> Value {
     });
     if series {
         value["moments"] = json!(impact.moments);
-        value["sensor_g"] = json!(impact.through(LOGGER_HZ));
+        value["sensor_g"] = json!(impact.through(BANDWIDTH_HZ));
     }
     value
 }
@@ -99,7 +100,7 @@ pub fn json(found: &Impacts, series: bool) -> Value {
 pub fn trace_csv(found: &Impacts) -> Result<String, ExportError> {
     let columns = ["height_m", "t_ms", "down_mm", "up_m_s", "proper_g", "sensor_g", "ground_n"];
     let rows = found.impacts.iter().flat_map(|impact| {
-        impact.moments.iter().zip(impact.through(LOGGER_HZ)).map(|(m, sensor_g)| {
+        impact.moments.iter().zip(impact.through(BANDWIDTH_HZ)).map(|(m, sensor_g)| {
             let t_ms = format!("{:.3}", m.t_ms);
             let [height_m, down_mm, up_m_s, proper_g, sensor_g, ground_n] =
                 [impact.height_m, m.down_mm, m.up_m_s, m.proper_g, sensor_g, m.ground_n].map(|value| value.to_string());

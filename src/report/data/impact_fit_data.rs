@@ -4,6 +4,7 @@ use serde_json::{Value, json};
 
 use crate::export::ExportError;
 use crate::export::table::csv;
+use crate::figures::{PARAMETER_DIGITS, significant};
 use crate::impact::fit::LeftOut;
 use crate::impact::frame_fit::{FrameFit, Height, MaterialEstimate, MeasuredHeights, Predicted};
 
@@ -26,8 +27,8 @@ impl Fitted<'_> {
     fn rows(&self) -> impl Iterator<Item = (&'static str, &Predicted)> {
         let fit = self.fit;
         let fitted = fit.fitted.iter().map(|row| ("fitted", row));
-        let left_out = fit.left_out.iter().map(|row| ("from the others", row));
-        fitted.chain(left_out).chain(fit.from_one.iter().map(|row| ("from one", row)))
+        let from_others = fit.from_others.iter().map(|row| ("from the others", row));
+        fitted.chain(from_others).chain(fit.from_one.iter().map(|row| ("from one", row)))
     }
 }
 
@@ -41,8 +42,8 @@ pub fn json(found: &Fitted) -> Value {
         "young_mpa": found.fit.settings.young_mpa,
         "relaxation_exponent": found.fit.settings.relaxation_exponent,
         "fitted": found.fit.fitted,
-        "left_out": found.fit.left_out,
-        "drops_left_out": found.measured.left_out,
+        "from_others": found.fit.from_others,
+        "left_out": found.measured.left_out,
         "from_one": found.fit.from_one,
         "interpolation": found.fit.interpolation,
     })
@@ -53,7 +54,7 @@ pub fn json(found: &Fitted) -> Value {
 /// # Errors
 /// Those of [`csv()`].
 pub fn predictions_csv(found: &Fitted) -> Result<String, ExportError> {
-    let columns = "how,from_m,height_m,impact_modulus,impact_loss,peak_g,measured_peak_g,peak_off_percent,impulse,measured_impulse";
+    let columns = "how,from_m,height_m,impact_modulus,impact_loss,peak_axial_g,measured_peak_axial_g,peak_off_percent,impulse_over_v0,measured_impulse_over_v0";
     let rows = found.rows().filter_map(|(how, row)| {
         let height = found.measured(row.height_m)?;
         let from: Vec<String> = row.from_m.iter().map(f64::to_string).collect();
@@ -61,11 +62,11 @@ pub fn predictions_csv(found: &Fitted) -> Result<String, ExportError> {
             row.height_m,
             row.impact_modulus,
             row.impact_loss,
-            row.peak_g,
-            height.peak_g.value,
+            row.peak_axial_g,
+            height.peak_axial_g.value,
             row.peak_off_percent,
-            row.impulse,
-            height.impulse.value,
+            row.impulse_over_v0,
+            height.impulse_over_v0.value,
         ];
         Some([how.to_string(), from.join(" ")].into_iter().chain(numbers.map(|number| number.to_string())))
     });
@@ -105,7 +106,8 @@ pub fn table(found: &Fitted) -> String {
     for estimate in &found.fit.estimates {
         let bound = if estimate.at_bound { "   at its bound" } else { "" };
         let [low, high] = estimate.ci95;
-        text += &format!("{:<16} {:>8.3}   {low:.3} to {high:.3}{bound}\n", estimate.key, estimate.value);
+        let [value, low, high] = [estimate.value, low, high].map(|value| significant(value, PARAMETER_DIGITS));
+        text += &format!("{:<16} {value:>8}   {low} to {high}{bound}\n", estimate.key);
     }
     text += "\n                              ---- peak along the axis, g ----   -- impulse / v0 --\n";
     text += "how               from, m  height   measured   model   off, %   measured   model   modulus   loss\n";
@@ -116,11 +118,11 @@ pub fn table(found: &Fitted) -> String {
             "{how:<15} {:>9} {:>7} {:>10.1} {:>7.1} {:>+8.1} {:>10.2} {:>7.2} {:>9.3} {:>6.3}\n",
             from.join(" "),
             row.height_m,
-            height.peak_g.value,
-            row.peak_g,
+            height.peak_axial_g.value,
+            row.peak_axial_g,
             row.peak_off_percent,
-            height.impulse.value,
-            row.impulse,
+            height.impulse_over_v0.value,
+            row.impulse_over_v0,
             row.impact_modulus,
             row.impact_loss
         );

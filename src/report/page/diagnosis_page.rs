@@ -106,7 +106,8 @@ fn explained(compared: &Compared) -> Vec<Block> {
         Block::Heading("What explains the variation between drops".into()),
         Block::Text(
             "Share of the variance between drops of one height, predicted for drops that the regression did not see, with a p-value by \
-             permutation. A dash: the quantity is the same for all drops of each height."
+             permutation. A dash: the quantity is the same for all drops of each height, or \
+             has nearly as many names as drops."
                 .into(),
         ),
         Block::Table(cells(["quantity", "explained", "p", "drops"]), compared.covariates.iter().map(row).collect()),
@@ -188,7 +189,7 @@ fn waves(diagnosis: &Diagnosis) -> Result<Vec<Block>, PlotError> {
             legend: plotters::prelude::SeriesLabelPosition::UpperRight,
         };
         blocks.push(figure(
-            &format!("wave-{:03.0}cm", height_m * 100.0),
+            &format!("wave-{height_m}-m"),
             &chart,
             format!("Mean wave from {height_m} m with the model before and after."),
         )?);

@@ -33,7 +33,7 @@ pub(super) fn figures(assessment: &LandingAssessment, diagnosis: &Diagnosis) -> 
             legend: SeriesLabelPosition::UpperRight,
         };
         let caption = format!("Mean wave from {height_m} m, the base model's, and the mean of landings with random slopes.");
-        blocks.push(figure(&format!("landing-{:03.0}cm", height_m * 100.0), &chart, caption)?);
+        blocks.push(figure(&format!("landing-{height_m}-m"), &chart, caption)?);
     }
     for (at, spread) in assessment.spreads.iter().enumerate() {
         let caption = format!(
@@ -41,7 +41,7 @@ pub(super) fn figures(assessment: &LandingAssessment, diagnosis: &Diagnosis) -> 
              drops is in the band and not in the lines.",
             spread.height_m
         );
-        blocks.push(figure(&format!("landing-quartiles-{:03.0}cm", spread.height_m * 100.0), &bands(spread, at, step_ms), caption)?);
+        blocks.push(figure(&format!("landing-quartiles-{}-m", spread.height_m), &bands(spread, at, step_ms), caption)?);
     }
     let caption = "Each drop whose feet were all seen: the foot opposite to the first touches after nearly the sum of the times of the two \
                    between. Times that had nothing to do with each other would fill the square.";
