@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Runs every test there is: formatting, lints, documentation, the Rust tests, then the built program from
 # outside, as a wheel, too, its files read by other people's software (admesh, the Khronos glTF validator, qpdf, PrusaSlicer,
-# trimesh, manifold3d, lib3mf, Cura's libSavitar, OCCT, MuJoCo, PyBullet, Drake, junitparser, jsonschema, taplo), its studies by HyperQueue and SALib,
+# trimesh, manifold3d, lib3mf, Cura's libSavitar, OCCT, MuJoCo, PyBullet, Drake, OpenSees, junitparser, jsonschema, taplo), its studies by HyperQueue and SALib,
 # its library as a WebAssembly module in Node, the studio in a
 # browser, and the steps of
 # docs/ci on a sample repository.
@@ -122,6 +122,16 @@ simulators_from_pypi() {
     "$python" -c "$imports" >/dev/null 2>&1
 }
 
+# A program of finite elements, and the library of the system that it needs.
+opensees_from_pypi() {
+    [[ -x $python ]] || from_pypi || return
+    "$python" -c 'import openseespy.opensees' >/dev/null 2>&1 && return
+    echo "installing openseespy"
+    "$python" -m pip install --quiet --disable-pip-version-check openseespy==3.7.1.2 >>"$work/pip.log" 2>&1 || true
+    "$python" -c 'import openseespy.opensees' >/dev/null 2>&1 || from_debian "" libblas3 || true
+    "$python" -c 'import openseespy.opensees' >/dev/null 2>&1
+}
+
 # Downloads wait for the network, and compilers do not: what the steps below install comes while the tests are compiled.
 installed_ahead() {
     local command
@@ -130,6 +140,7 @@ installed_ahead() {
     from_npm || true
     cadquery_from_pypi || true
     simulators_from_pypi || true
+    opensees_from_pypi || true
 }
 
 # --- Rust --------------------------------------------------------------------------------------------------
@@ -543,6 +554,21 @@ simulators_run_frames() {
     fi
 }
 
+# The beam model in a program of finite elements.
+opensees_bends_beams() {
+    heading "OpenSees bends the beams of the default frame"
+    if opensees_from_pypi; then
+        step "OpenSees' modes and forces" opensees_agrees
+    else
+        skipped "OpenSees" "not installed"
+    fi
+}
+
+opensees_agrees() {
+    "$binary" stiffness cognifly --beam-model --no-pictures -q -o "$work/beams" &&
+        "$python" tests/external/beams.py "$work/beams/cognifly-stiffness/beam-model.json" 2>"$work/opensees.log"
+}
+
 # Presets whose plates are sliced: the others are the default frame with another motor, battery or rod, and each STL of theirs is sliced.
 sliced_frames=(cognifly cognifly-mini cognifly-v8)
 
@@ -671,6 +697,7 @@ by_other_programs() {
     cura_reads_plates
     occt_reads_steps
     simulators_run_frames
+    opensees_bends_beams
     slicer_slices_plates
     slicer_weighs_parts
     slicer_times_coupon

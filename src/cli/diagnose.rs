@@ -19,13 +19,12 @@ use crate::impact::diagnose::{ComparedAxes, Diagnosis, EffectEstimate, Gap, Stag
 use crate::impact::effects::{Model, PAYLOAD_MODE};
 use crate::impact::frame_fit::{CURVE_MM, reduced_model};
 use crate::impact::measured::{DropSet, DropTable, StaticTest};
+use crate::impact::request::{Compared, DiagnosisRequest, MOST_EFFECTS, RequestError};
 use crate::impact::sim::HEIGHTS_M;
 use crate::mechanics::model::frame_model::{Extent, FrameModel};
 use crate::mechanics::result::static_curve::StaticCurve;
 use crate::mechanics::settings::MechanicsSettings as Mechanics;
 use crate::report::data::diagnosis_data;
-use crate::report::data::diagnosis_data::Compared;
-use crate::report::data::diagnosis_request::{DiagnosisRequest, MOST_EFFECTS, RequestError};
 use crate::report::page::diagnosis_page;
 use crate::report::page::document::{Block, html, markdown};
 

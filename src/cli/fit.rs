@@ -240,8 +240,13 @@ fn table(fit: &Fit, chosen: &Chosen, args: &Args, numbers: Option<usize>, warnin
         let written = |value: f64| significant(value, PARAMETER_DIGITS);
         let interval = estimate.ci95.map_or("-".into(), |[low, high]| format!("{} to {}", written(low), written(high)));
         let bound = if estimate.at_bound { "   at its bound" } else { "" };
-        text +=
-            &format!("{:<16} {:<12} {:>10} {:>12}   {interval}{bound}\n", estimate.key, estimate.unit, written(estimate.start), written(estimate.value));
+        text += &format!(
+            "{:<16} {:<12} {:>10} {:>12}   {interval}{bound}\n",
+            estimate.key,
+            estimate.unit,
+            written(estimate.start),
+            written(estimate.value)
+        );
     }
     text += &doubts(fit, numbers.is_some(), warnings);
     text.push('\n');

@@ -28,6 +28,9 @@ enum Found {
 
 impl Revision {
     /// A revision, by any name that git knows, of the repository around a file.
+    ///
+    /// # Errors
+    /// [`Failure::Usage`] when there is no repository, or no such revision; [`Failure::Machine`] when git cannot be run.
     pub fn of(file: &Path, name: &str) -> Result<Self, Failure> {
         let folder = file.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
         let usage = |message: String| Failure::Usage { message };

@@ -24,6 +24,7 @@ use crate::mechanics::result::static_curve::{DOWN_MM, INSIDE_MM, StaticCurve};
 use crate::mechanics::settings::MechanicsSettings;
 use crate::mechanics::solve::modes::{Modes, REPORTED};
 use crate::report::chart::stiffness_plots;
+use crate::report::data::beam_model_data;
 use crate::report::data::stiffness_data;
 use crate::report::data::stiffness_data::Stiffness;
 use crate::report::picture::deformed_scene;
@@ -57,6 +58,9 @@ pub(super) struct Args {
     /// Leave out the modes.
     #[arg(long)]
     pub no_modes: bool,
+    /// Write beam-model.json, too: nodes, beams, ties, feet, curve and modes, for programs of finite elements.
+    #[arg(long)]
+    pub beam_model: bool,
     /// Leave out pictures and animations.
     #[arg(long)]
     pub no_pictures: bool,
@@ -127,6 +131,18 @@ fn reference(name: &str, design: &Design, masses: &MassTable, settings: &Mechani
     Ok((other.frame.name.clone(), found))
 }
 
+/// Head of the file of numbers.
+fn remark(frame: &str, calibration: Option<&Calibration>, points: usize) -> String {
+    let Some(Calibration { settings, interval_mpa: [low, high], rms_n, .. }) = calibration else {
+        return "The numbers that this result was computed with.".into();
+    };
+    format!(
+        "Calibrated on a static test of {frame}: E = {:.1} MPa, 95 % interval {low:.1} to {high:.1} MPa, rms {rms_n:.2} N over {points} points.\n\
+         Holds for this material and print together with the joints' numbers below.",
+        settings.young_mpa
+    )
+}
+
 /// Presses a frame down and writes its folder.
 pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let stated = MechanicsSettings::load(args.mechanics.as_deref())?;
@@ -163,20 +179,11 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let mut files = stiffness_plots::plots(&found)?;
     files.push(("curve.csv".into(), stiffness_data::curve_csv(&found)?.into_bytes()));
     files.push(("stiffness.json".into(), format!("{json:#}\n").into_bytes()));
-    let remark = match &calibration {
-        Some(calibration) => {
-            let [low, high] = calibration.interval_mpa;
-            let young = settings.young_mpa;
-            format!(
-                "Calibrated on a static test of {}: E = {young:.1} MPa, 95 % interval {low:.1} to {high:.1} MPa, rms {:.2} N over {} points.\n\
-                 Holds for this material and print together with the joints' numbers below.",
-                design.frame.name,
-                calibration.rms_n,
-                found.measured.len()
-            )
-        }
-        None => "The numbers that this result was computed with.".into(),
-    };
+    if args.beam_model {
+        let model = beam_model_data::json(&design.frame.name, &quarter, &curve, &whole, modes.as_ref());
+        files.push(("beam-model.json".into(), format!("{model}\n").into_bytes()));
+    }
+    let remark = remark(&design.frame.name, calibration.as_ref(), found.measured.len());
     if let Some(bound) = Bound::new(&design, &whole).filter(|_| !args.no_pictures) {
         files.extend(deformed_files(&design, &bound, &whole, &quarter, &curve, modes.as_ref())?);
     }

@@ -1,6 +1,5 @@
 //! `manifest.json`: every file with its hash, every printed part with its numbers.
 
-
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 

@@ -7,6 +7,7 @@ pub mod fit;
 pub mod frame_fit;
 pub mod landing;
 pub mod measured;
+pub mod request;
 pub mod sim;
 pub mod synthetic;
 mod wide_registers;

@@ -46,6 +46,9 @@ impl Catalogues {
     }
 
     /// The shipped catalogues under the file's overrides.
+    ///
+    /// # Errors
+    /// When an override is none of its kind, or says what cannot be.
     pub fn read(file: &FrameFile) -> Result<Self, Refusal> {
         let texts: BTreeSet<&str> = file.entries.values().filter_map(|entry| entry.value.text()).collect();
         let mut all = SHIPPED.clone();
@@ -106,6 +109,9 @@ impl Catalogues {
     }
 
     /// The bought parts that a frame file names, by role.
+    ///
+    /// # Errors
+    /// When the file names a part that there is not, or one of another kind.
     pub fn bought(&self, file: &FrameFile) -> Result<BTreeMap<String, BoughtItem>, Refusal> {
         let mut items = BTreeMap::new();
         for (role, quantity, kind) in ROLES {
@@ -167,6 +173,9 @@ impl Catalogues {
     }
 
     /// The material of the joints; it has to say how far it stretches, or their hinges could not be checked.
+    ///
+    /// # Errors
+    /// When there is no such material, or its elongation at break is not stated.
     pub fn flexible(&self, file: &FrameFile) -> Result<NamedMaterial, Refusal> {
         let key = "materials.flexible";
         let named = self.material(file, key, stated_text(file, key)?, "printed")?;
@@ -181,12 +190,18 @@ impl Catalogues {
     }
 
     /// The material of the rigid centre.
+    ///
+    /// # Errors
+    /// When there is no such material.
     pub fn rigid(&self, file: &FrameFile) -> Result<NamedMaterial, Refusal> {
         let key = "materials.rigid";
         self.material(file, key, stated_text(file, key)?, "printed")
     }
 
     /// The material of the rods, which the bought rod names.
+    ///
+    /// # Errors
+    /// When the rod names none, or one that there is not.
     pub fn rod_material(&self, file: &FrameFile, bought: &BTreeMap<String, BoughtItem>) -> Result<NamedMaterial, Refusal> {
         let rod = bought.get("rod").map_or("", |item| item.name.as_str());
         let own = format!("override.parts.{rod}.material");
@@ -216,6 +231,9 @@ impl Catalogues {
     }
 
     /// The printer that a frame file names.
+    ///
+    /// # Errors
+    /// When there is no such printer.
     pub fn printer(&self, file: &FrameFile) -> Result<Printer, Refusal> {
         let name = stated_text(file, "printer")?;
         entry(&self.printers, file, "printer", "printer", "printers", &name)

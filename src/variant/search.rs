@@ -298,6 +298,9 @@ impl<'a> Search<'a> {
     }
 
     /// The frame with these values, evaluated by the rules up to a cost.
+    ///
+    /// # Errors
+    /// When there is no such frame, in words.
     pub fn evaluated(&self, values: &[f64], dearest: Cost) -> Result<Evaluation, String> {
         self.look.evaluated(self.look.frame(values)?, dearest)
     }

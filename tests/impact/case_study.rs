@@ -19,6 +19,11 @@ fn measured_drops_are_diagnosed_without_falling_for_their_traps() {
         return;
     }
     let study = Study::made();
+    // The zero is that of one sensor, and what is left while the frame is held, of which nothing was used, is the weight.
+    for (reading, session) in study.compared.free_fall.iter().zip(&study.sessions) {
+        let held_g = session.held_g.expect("is held before it is dropped").median;
+        assert!((reading.zero_g + 0.151).abs() < 0.006 && (held_g - 1.0).abs() < 0.01, "{reading:?}, held {held_g} g");
+    }
     // The magnitude's impulse is impossible, the axis' is not.
     assert!(study.magnitude.iter().any(|one| one.impossible) && study.axial.iter().all(|one| !one.impossible));
     // The damper that goes with the filter, published and derived elsewhere: 46 at 79.6 Hz, 23.2 at 500 Hz.
@@ -45,13 +50,13 @@ fn measured_drops_are_diagnosed_without_falling_for_their_traps() {
     // Given each drop's own touches, landings on one foot leave less than that mean wave does: 20.2 g is the aim.
     let given = &study.landing.gaps.given_touches;
     assert!(given.records_g < study.landing.gaps.held_out.template_g && given.records_g <= 20.2, "{given:?}");
-    // 3.5 g is the aim, and is missed: 4.58 measured. It was 4.24, with a bound of 4.5, while slopes were fitted to quartiles of touch times, which missed
-    // the mean wave below by 2 g more; and 3.29, with a bound of 3.55, while the drops from 150 cm were among those from which it was learned what
-    // touches look like.
-    assert!(given.net_g <= 4.8, "the mean of what is left: {given:?}");
+    // 3.5 g is the aim, and is missed: 4.32 measured, and 4.58 (a bound of 4.8) with the sensor's zero in the waves. It was 4.24, with a bound of 4.5,
+    // while slopes were fitted to quartiles of touch times, which missed the mean wave below by 2 g more; and 3.29, with a bound of 3.55, while the drops
+    // from 150 cm were among those from which it was learned what touches look like.
+    assert!(given.net_g <= 4.5, "the mean of what is left: {given:?}");
     assert!(after.net_g < study.judged.before.held_out.net_g);
-    // Landings on one foot, on legs with dry friction, come nearer to 150 cm than any set along the vertical. 6 g is the aim (9.6 measured,
-    // with an interval of 5.3 to 12.9; 11.6 with quartiles of touch times, and a bound of 0.7 of the gap before; 10.7, with a bound of 0.65 of the gap before, while those drops taught what touches look like;
+    // Landings on one foot, on legs with dry friction, come nearer to 150 cm than any set along the vertical. 6 g is the aim (9.5 measured,
+    // with an interval of 5.1 to 12.8; 11.6 with quartiles of touch times, and a bound of 0.7 of the gap before; 10.7, with a bound of 0.65 of the gap before, while those drops taught what touches look like;
     // 8.0 to 9.5 by the order of the drops earlier, with a bound of 0.6).
     let population = study.landing.gaps.held_out.net_g;
     let [least_g, _] = study.landing.gaps.held_out_ci95_g.expect("150 cm is held out");

@@ -2,9 +2,9 @@
 
 use flexframe::impact::effects::Model;
 use flexframe::impact::measured::{DropTable, FileFormat, TableFormat, read_bytes};
+use flexframe::impact::request::{DiagnosisRequest, RequestError};
 use flexframe::impact::synthetic::{Plan, records};
 use flexframe::report::data::diagnosis_data;
-use flexframe::report::data::diagnosis_request::{DiagnosisRequest, RequestError};
 
 /// Drops of which every second one fell on harder ground, each height in a session of its own, how warm each was, and how hard its ground, as a
 /// spreadsheet with decimal commas writes it.

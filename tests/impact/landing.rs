@@ -11,9 +11,9 @@ use flexframe::impact::landing::{
     LandingProblem, LandingScatter, LeggedBody, ObservedLandings, TouchEvidence, UnjudgedLandings,
 };
 use flexframe::impact::measured::{self, DropSet, FileFormat, StaticTest};
+use flexframe::impact::request::{Compared, DiagnosisRequest, RequestError};
 use flexframe::impact::synthetic::{HeavyFeet, Landings, Plan, Stalls, SyntheticRecord, records};
-use flexframe::report::data::diagnosis_data::{self, Compared};
-use flexframe::report::data::diagnosis_request::{DiagnosisRequest, RequestError};
+use flexframe::report::data::diagnosis_data;
 
 const LEVEL: Landings = Landings {
     rate_rad_s: 0.0,

@@ -54,7 +54,6 @@ fn analytic_random_models_stay_finite_and_balance() {
         assert!(out.iter().all(|reading_g| reading_g.is_finite()), "{}", model.to_toml());
         let trace = simulate(&system, height_m, &SolverOptions { tolerance: 1e-9, ..SolverOptions::REPORT });
         ended += usize::from(trace.stop == Stop::End);
-        assert!(trace.stop == Stop::End || !trace.warnings.is_empty());
         for balance in trace.compression.iter().chain(&trace.release) {
             let share = balance.residual().abs() * balance.input_j.abs();
             let size: f64 = balance.input_j.abs() + balance.terms.iter().map(|term| term.work_j.abs()).sum::<f64>();

@@ -3,8 +3,8 @@
 use flexframe::impact::diagnose::Verdict;
 use flexframe::impact::effects::{Channel, Model, Sensor, by_id};
 use flexframe::impact::measured::{self, DropSet, Fall, FileFormat};
+use flexframe::impact::request::DiagnosisRequest;
 use flexframe::impact::synthetic::{Plan, Stalls, SyntheticRecord, records, table};
-use flexframe::report::data::diagnosis_request::DiagnosisRequest;
 
 const HEIGHTS_M: [f64; 3] = [0.5, 1.0, 2.0];
 

@@ -3,8 +3,8 @@
 use flexframe::impact::diagnose::{Diagnosis, Verdict, joined};
 use flexframe::impact::effects::Model;
 use flexframe::impact::measured::{self, FileFormat, FormatError, TableFormat};
+use flexframe::impact::request::DiagnosisRequest;
 use flexframe::impact::synthetic::{Plan, records};
-use flexframe::report::data::diagnosis_request::DiagnosisRequest;
 
 const FASTEST_HZ: f64 = 51_200.0;
 const RATES_HZ: [f64; 5] = [500.0, 1000.0, 3200.0, 10_000.0, FASTEST_HZ];

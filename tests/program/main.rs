@@ -10,6 +10,7 @@ mod fuzz;
 mod gate;
 mod growth;
 mod hostile;
+mod json_keys;
 mod kept;
 mod measure;
 mod mistaken_tables;

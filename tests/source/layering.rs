@@ -28,7 +28,7 @@ const WINGS: [&str; 19] = [
 ];
 
 /// Each layer, a wing or a room of one, and the layers that it may import: all of them stand before it.
-const LAYERS: [(&str, &[&str]); 40] = [
+const LAYERS: [(&str, &[&str]); 41] = [
     ("units", &[]),
     ("figures", &[]),
     ("markdown", &[]),
@@ -49,7 +49,7 @@ const LAYERS: [(&str, &[&str]); 40] = [
     ("printing/plates", &["params", "frame/assembly", "printing/printability", "printing/print_time", "printing/room"]),
     ("printing/weighing", &["params", "frame/assembly"]),
     ("printing/coupon", &["units", "params", "solid", "frame/skeleton", "frame/assembly", "frame/fold", "printing/room"]),
-    ("mechanics", &["units", "params", "solid", "frame/skeleton", "frame/parts", "frame/assembly"]),
+    ("mechanics", &["units", "paper_logger", "params", "solid", "frame/skeleton", "frame/parts", "frame/assembly"]),
     (
         "checks",
         &[
@@ -93,12 +93,16 @@ const LAYERS: [(&str, &[&str]); 40] = [
     ("impact/measured", &["units", "figures", "paper_logger"]),
     ("impact/fit", &["units", "impact/wide_registers", "impact/effects", "impact/sim", "impact/measured"]),
     ("impact/synthetic", &["units", "params", "impact/effects"]),
-    ("impact/frame_fit", &["units", "paper_logger", "frame/assembly", "mechanics", "impact/body", "impact/effects", "impact/measured", "impact/fit"]),
+    (
+        "impact/frame_fit",
+        &["units", "paper_logger", "frame/assembly", "mechanics", "impact/body", "impact/effects", "impact/measured", "impact/fit"],
+    ),
     ("impact/diagnose", &["units", "figures", "impact/effects", "impact/sim", "impact/measured", "impact/fit"]),
     (
         "impact/landing",
         &["units", "figures", "impact/wide_registers", "impact/effects", "impact/measured", "impact/fit", "impact/diagnose"],
     ),
+    ("impact/request", &["figures", "impact/body", "impact/effects", "impact/measured", "impact/fit", "impact/diagnose", "impact/landing"]),
     (
         "variant",
         &[
@@ -163,6 +167,7 @@ const LAYERS: [(&str, &[&str]); 40] = [
             "impact/frame_fit",
             "impact/diagnose",
             "impact/landing",
+            "impact/request",
             "variant",
             "study",
         ],
@@ -193,6 +198,7 @@ const LAYERS: [(&str, &[&str]); 40] = [
             "impact/synthetic",
             "impact/frame_fit",
             "impact/diagnose",
+            "impact/request",
             "variant",
             "study",
             "schema",

@@ -41,9 +41,10 @@ pub(super) fn run(args: &Args, heights_m: &[f64], common: &Common) -> Result<Exi
     settings.doubt(&design.frame.flexible).iter().for_each(|doubt| terminal::tell(doubt));
     let parts = part_models(&design, &settings).map_err(mechanics_refused)?;
     let tilt = tilt(args)?;
-    let extent = if args.tilt.iter().any(|degrees| *degrees != 0.0) { Extent::Whole } else { Extent::Quarter };
+    let is_tilted = args.tilt.iter().any(|degrees| *degrees != 0.0);
+    let (extent, run) = if is_tilted { (Extent::Whole, Run::tilted(tilt)) } else { (Extent::Quarter, Run::default()) };
     let model = FrameModel::of_parts(&design, &parts, &masses, &settings, extent).map_err(mechanics_refused)?;
-    let drop = |height_m: &f64| Impact::new(&model, &settings, *height_m, &Run { tilt, ..Run::default() }).map_err(mechanics_refused);
+    let drop = |height_m: &f64| Impact::new(&model, &settings, *height_m, &run).map_err(mechanics_refused);
     let impacts = heights_m.iter().map(drop).collect::<Result<Vec<_>, _>>()?;
     let underside = checks::ground_clearance(&design, &masses).map(|ground| Underside::of(&design, &model, ground.clearance_mm));
     let tilt_deg = <[f64; 2]>::try_from(args.tilt.as_slice()).unwrap_or_default();

@@ -34,8 +34,8 @@ impl Record {
         let (listed, whole) = listed(text)?;
         let itself = whole.then(|| (name.to_string(), hash(&bytes)));
         let mut hashes: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
-        for (path, sha256) in listed.into_iter().chain(itself) {
-            hashes.entry(path).or_default().insert(sha256);
+        for (path, digest) in listed.into_iter().chain(itself) {
+            hashes.entry(path).or_default().insert(digest);
         }
         Some(Self(hashes))
     }
@@ -56,7 +56,7 @@ impl Record {
     /// The record while these files take the place of those that were recorded: one that is interrupted names both.
     pub fn while_replaced_by(&self, files: &[(String, Vec<u8>)]) -> io::Result<Vec<u8>> {
         let former = self.0.iter().filter(|(path, _)| !is_list(Path::new(path)));
-        let former = former.flat_map(|(path, hashes)| hashes.iter().map(|sha256| (path.clone(), sha256.clone())));
+        let former = former.flat_map(|(path, hashes)| hashes.iter().map(|digest| (path.clone(), digest.clone())));
         let both: BTreeSet<(String, String)> = former.chain(hashes(files)).collect();
         Ok(list_text(both)?.into_bytes())
     }

@@ -18,6 +18,9 @@ pub(super) struct JournalFile {
 
 impl JournalFile {
     /// Opens the journal of a study, or begins one; with `restart` what is there is given up.
+    ///
+    /// # Errors
+    /// [`Failure::Usage`] when it is that of another plan, or another run writes it; [`Failure::Machine`] when it cannot be read or written.
     pub fn open(place: &Path, study: &Study, restart: bool) -> Result<Self, Failure> {
         let failed = |error| Failure::Machine { what: format!("cannot write {}", place.display()), error };
         let file = OpenOptions::new().create(true).append(true).open(place).map_err(failed)?;
@@ -44,6 +47,9 @@ impl JournalFile {
     }
 
     /// Keeps a row. Of one that could not be written whole, nothing stays.
+    ///
+    /// # Errors
+    /// [`Failure::Machine`] when it cannot be written.
     pub fn keep(&mut self, row: usize, outcome: Outcome) -> Result<(), Failure> {
         let failed = |error: io::Error| Failure::Machine { what: format!("cannot write {}", self.place.display()), error };
         let before = self.file.metadata().map_err(failed)?.len();

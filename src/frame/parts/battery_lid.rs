@@ -8,6 +8,7 @@ use std::f64::consts::PI;
 use nalgebra::{Isometry3, Point2, Rotation2, Translation3, UnitQuaternion, Vector2, Vector3};
 
 use super::battery_bracket::connector;
+use super::battery_sleeve::sleeve_edge_mm;
 use super::outline::{Pen, SINK_MM, along_x, along_y, face, sharp, upright};
 use super::record::{Fold, MaterialClass, PrintedPart, Seat, Wall, always};
 use crate::frame::skeleton::centre::Centre;
@@ -111,7 +112,7 @@ impl<'a> Lid<'a> {
 
     /// Rounding of the shell's long edges and of the block's upper edge, mm.
     fn edge_mm(&self) -> f64 {
-        self.frame.sleeve.sleeve_edge_radius_mm.min(0.97 * self.frame.sleeve.sleeve_side_wall_mm)
+        sleeve_edge_mm(self.frame)
     }
 
     /// Rounding of the rear corners, seen from above, mm: further forward than the block stands out, they would cut into the shell's side walls.

@@ -71,7 +71,7 @@ impl Sleeve<'_> {
     }
 
     fn edge_mm(&self) -> f64 {
-        self.frame.sleeve.sleeve_edge_radius_mm.min(0.97 * self.frame.sleeve.sleeve_side_wall_mm)
+        sleeve_edge_mm(self.frame)
     }
 
     /// Tube and ribs in (x, z).
@@ -182,6 +182,11 @@ impl Sleeve<'_> {
         let (s, [low, high]) = (&self.frame.sleeve, self.tray_z_mm());
         [0.5, -0.5].map(|side| bore(side * s.sensor_hole_pitch_mm, self.sensor_y_mm(), s.sensor_hole_diameter_mm, [low - 1.0, high + 1.0]))
     }
+}
+
+/// Rounding of the sleeve's long edges, mm: less than its walls, or nothing would be left of them there.
+pub(super) fn sleeve_edge_mm(frame: &Frame) -> f64 {
+    frame.sleeve.sleeve_edge_radius_mm.min(0.97 * frame.sleeve.sleeve_side_wall_mm)
 }
 
 #[cfg(test)]

@@ -9,6 +9,7 @@ use rayon::prelude::*;
 
 use super::bootstrap::{Bootstrap, REPLICATES};
 use crate::impact::fit::{Whitening, inverse};
+use crate::impact::measured::quantile;
 
 /// Widths of a local deviation, samples.
 const WIDTHS: [f64; 3] = [0.6, 1.5, 3.5];
@@ -72,7 +73,8 @@ pub fn judge(deviation: &DVector<f64>, fit: &LinearisedFit, bootstrap: &Bootstra
     let single_p = p_values(statistics);
     let found = least(statistics);
     let as_rare = replicates.iter().filter(|(one, _)| least(*one) <= found).count();
-    let ratio95 = (0..fit.jacobian.ncols()).map(|i| quantile(&sorted(replicates.iter().map(|(_, ratios)| ratios[i])), 0.95)).collect();
+    let ratio95 = |i: usize| quantile(&sorted(replicates.iter().map(|(_, ratios)| ratios[i])), 0.95).unwrap_or(f64::INFINITY);
+    let ratio95 = (0..fit.jacobian.ncols()).map(ratio95).collect();
     Some(Adequacy { statistics, single_p, p: (as_rare as f64 + 1.0) / (replicates.len() as f64 + 1.0), ratio95 })
 }
 
@@ -131,8 +133,4 @@ fn sorted(values: impl Iterator<Item = f64>) -> Vec<f64> {
 fn p_value(sorted: &[f64], value: f64) -> f64 {
     let below = sorted.partition_point(|other| *other < value);
     (sorted.len() - below) as f64 / sorted.len() as f64
-}
-
-fn quantile(sorted: &[f64], part: f64) -> f64 {
-    sorted[((sorted.len() - 1) as f64 * part).round() as usize]
 }

@@ -41,7 +41,12 @@ impl Height {
     /// Of a summary and the time between its readings, s; `None` when no drop has an impact, or none is without a flag.
     fn of(summary: &Summary, step_s: f64) -> Option<Self> {
         let (peak, impulse) = (summary.peak_axial_g.as_ref()?, summary.impulse_over_v0.as_ref()?);
-        Some(Self { height_m: summary.height_m, step_s, peak_axial_g: MedianEstimate::of(peak), impulse_over_v0: MedianEstimate::of(impulse) })
+        Some(Self {
+            height_m: summary.height_m,
+            step_s,
+            peak_axial_g: MedianEstimate::of(peak),
+            impulse_over_v0: MedianEstimate::of(impulse),
+        })
     }
 
     /// What the model is asked.

@@ -5,8 +5,8 @@ use rayon::prelude::*;
 use crate::mechanics::model::frame_model::FrameModel;
 use crate::mechanics::result::impact::{Impact, ImpactError, Run, sampled_peak_g};
 use crate::mechanics::settings::{IMPACT_LOSS, IMPACT_MODULUS, MechanicsSettings};
-use crate::units::GRAVITY_MM_MS2;
 use crate::paper_logger::BANDWIDTH_HZ;
+use crate::units::GRAVITY_MM_MS2;
 
 /// Length of the impulse from first touch, ms: that of the measured one.
 const IMPULSE_MS: f64 = 25.0;

@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use super::DropGroup;
 use super::flag::Flag;
+use super::free_fall::lasting_s;
 use super::judged::{Drop, JudgedDrops};
 use super::record::DropSet;
 use super::spread::Spread;
@@ -109,16 +110,6 @@ impl Fall {
     pub fn lasted(&self, duration_s: f64) -> bool {
         (self.fall_s - duration_s).abs() <= RELEASE_S + 3.0 * self.error_s
     }
-}
-
-/// Speed after a fall without air, m/s.
-pub fn impact_speed_m_s(height_m: f64) -> f64 {
-    (2.0 * GRAVITY_M_S2 * height_m).sqrt()
-}
-
-/// How long a free fall lasts, s.
-pub(super) fn lasting_s(height_m: f64) -> f64 {
-    (2.0 * height_m / GRAVITY_M_S2).sqrt()
 }
 
 #[cfg(test)]

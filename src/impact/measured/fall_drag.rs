@@ -4,7 +4,7 @@
 //! readings over t², whatever the sensor's zero is; the falls' middle one is taken, weighted by how sure each is. Where it is not surely above 0, it is
 //! taken as 0. *When it is wrong:* a zero that drifts within a fall as t² does passes for drag.
 
-use super::fall::lasting_s;
+use super::free_fall::lasting_s;
 use super::impact::Impact;
 use super::record::Record;
 use super::spread::Spread;

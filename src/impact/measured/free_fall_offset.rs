@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-use super::fall::lasting_s;
+use super::free_fall::lasting_s;
 use super::record::{DropSet, Record};
 use super::session::Session;
 use super::spread::Spread;

@@ -25,6 +25,7 @@ mod file_format;
 mod file_kind;
 mod flag;
 mod folds;
+mod free_fall;
 mod free_fall_offset;
 mod height;
 mod hint;
@@ -57,12 +58,13 @@ pub use decimal::decimal;
 #[cfg(feature = "cli")]
 pub use disk::read;
 pub use drop_table::DropTable;
-pub use fall::{Fall, RELEASE_S, impact_speed_m_s};
+pub use fall::{Fall, RELEASE_S};
 pub use file_format::FileFormat;
 pub use flag::{Flag, flags};
 #[cfg(feature = "cli")]
 pub use folds::read_folds;
 pub use folds::{FoldReading, fold_readings};
+pub use free_fall::impact_speed_m_s;
 pub use free_fall_offset::FreeFallOffset;
 pub use height::is_same_m;
 pub use hint::Hint;
@@ -77,7 +79,7 @@ pub use record::{DropGroup, DropSet, Record};
 pub use scale::read_scale;
 pub use scale::{ScaleReading, scale_readings};
 pub use session::{Session, Zero, mean_in_fall};
-pub use spread::Spread;
+pub use spread::{Spread, quantile};
 pub use stamp_jitter::StampJitter;
 pub use static_test::StaticTest;
 #[cfg(feature = "cli")]

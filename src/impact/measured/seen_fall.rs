@@ -1,6 +1,6 @@
 //! Falls that records show, in whatever units their readings and times are.
 
-use super::fall::lasting_s;
+use super::free_fall::lasting_s;
 use super::impact::{Impact, WINDOW_S};
 use super::record::{DropSet, Record};
 use super::spread::Spread;

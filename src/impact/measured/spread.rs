@@ -23,8 +23,8 @@ pub struct Spread {
 pub const QUARTILES_APART: f64 = 1.349;
 
 /// A quantile of sorted values, linear between the two that are nearest (type 7 of Hyndman and Fan, *Sample Quantiles in
-/// Statistical Packages*, Am. Stat. 50, 1996).
-fn quantile(sorted: &[f64], share: f64) -> Option<f64> {
+/// Statistical Packages*, Am. Stat. 50, 1996); `None` when there is none.
+pub fn quantile(sorted: &[f64], share: f64) -> Option<f64> {
     let place = share * sorted.len().checked_sub(1)? as f64;
     let (low, high) = (sorted[place.floor() as usize], sorted[place.ceil() as usize]);
     Some(low + (place - place.floor()) * (high - low))

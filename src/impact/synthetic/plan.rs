@@ -165,8 +165,11 @@ impl Plan {
         let record_s = stalls.map_or(IMPACT_S, |stalls| stalls.record_s);
         let readings = heights_m.len() as f64 * drops as f64 * rate_hz * record_s;
         if readings > MOST_READINGS {
-            let message = format!("{} heights, {drops} drops each and {record_s} s at {rate_hz} Hz are {readings:.1e} readings", heights_m.len());
-            let remedy = format!("lower `drops.count`, `logger.rate_hz` or `logger.record_s`: at most {MOST_READINGS:.0e} readings are held and written");
+            let message =
+                format!("{} heights, {drops} drops each and {record_s} s at {rate_hz} Hz are {readings:.1e} readings", heights_m.len());
+            let remedy = format!(
+                "lower `drops.count`, `logger.rate_hz` or `logger.record_s`: at most {MOST_READINGS:.0e} readings are held and written"
+            );
             return Err(file.refuse("drops.count", Reason::Impossible { message, remedy }));
         }
         Ok(Self {

@@ -16,7 +16,7 @@ use super::corotation::CorotatedAxes;
 use super::matrices::{Ends, Local, Matrix7, Tangent};
 
 /// Stiffnesses of a beam's section: N, N mm².
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct Rigidity {
     /// E A.
     pub axial_n: f64,
@@ -37,6 +37,8 @@ pub struct Beam {
     pub axes: Matrix3<f64>,
     /// Its length at rest, mm.
     pub length_mm: f64,
+    /// Stiffnesses of its section.
+    pub rigidity: Rigidity,
     /// Stiffness in its own frame: N, mm, rad.
     pub stiffness: Matrix7,
 }
@@ -62,7 +64,7 @@ impl Beam {
         let x = along.try_normalize(1e-9)?;
         let z = x.cross(&aside).try_normalize(1e-9)?;
         let axes = Matrix3::from_columns(&[x, z.cross(&x), z]);
-        Some(Self { nodes, axes, length_mm, stiffness: stiffness(rigidity, length_mm) })
+        Some(Self { nodes, axes, length_mm, rigidity: *rigidity, stiffness: stiffness(rigidity, length_mm) })
     }
 
     /// Stretch and rotations for the places and turns of its nodes.

@@ -21,6 +21,20 @@ pub struct Energies {
     pub gravity_mj: f64,
 }
 
+impl Energies {
+    /// Those of so many such structures.
+    #[must_use]
+    pub fn times(self, count: f64) -> Self {
+        Self {
+            kinetic_mj: self.kinetic_mj * count,
+            stored_mj: self.stored_mj * count,
+            relaxed_mj: self.relaxed_mj * count,
+            friction_mj: self.friction_mj * count,
+            gravity_mj: self.gravity_mj * count,
+        }
+    }
+}
+
 impl TimeIntegration<'_> {
     /// What the branches bring into a step.
     pub(in crate::mechanics) fn bias(&self, dt: f64) -> Bias {

@@ -68,6 +68,9 @@ pub(super) struct Layout<'a> {
 
 impl<'a> Layout<'a> {
     /// With one empty sheet.
+    ///
+    /// # Errors
+    /// When the typeface cannot be read.
     pub fn new() -> Result<Self, PdfError> {
         let lettering = Lettering::new().ok_or(PdfError)?;
         let at = Place { sheet: 0, y: MARGIN };

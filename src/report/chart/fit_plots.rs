@@ -19,8 +19,7 @@ pub fn plots(run: &Run) -> Result<Vec<(String, Vec<u8>)>, PlotError> {
 
 fn chart(run: &Run, height_m: f64, readings: &[f64], colour: usize) -> Bands {
     let drops = run.chosen.drops.iter().filter(|drop| drop.record.height_m == height_m);
-    let series: Vec<(Vec<f64>, usize)> =
-        drops.filter_map(|drop| Some((run.series(drop), drop.impact.as_ref()?.trigger))).collect();
+    let series: Vec<(Vec<f64>, usize)> = drops.filter_map(|drop| Some((run.series(drop), drop.impact.as_ref()?.trigger))).collect();
     let series: Vec<(&[f64], usize)> = series.iter().map(|(series, trigger)| (&series[..], *trigger)).collect();
     let line = readings.iter().enumerate().map(|(sample, reading)| (sample as f64, *reading)).collect();
     Bands {

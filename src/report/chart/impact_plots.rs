@@ -5,8 +5,8 @@ use plotters::chart::SeriesLabelPosition;
 use super::lines::{Lines, Series};
 use super::plot::{self, PlotError};
 use crate::mechanics::result::impact::{Impact, Moment};
-use crate::report::data::impact_data::Impacts;
 use crate::paper_logger::BANDWIDTH_HZ;
+use crate::report::data::impact_data::Impacts;
 
 /// Every plot, path and bytes.
 ///

@@ -6,56 +6,14 @@ use serde_json::{Map, Value, json};
 
 use super::drop_data;
 use super::landing_data;
-use super::separating_experiment::SeparatingExperiment;
 use crate::impact::diagnose::{
-    Adequacy, ByHeight, Confounding, CovariateEffect, Diagnosis, EffectEstimate, FrameMode, FreeFallReading, Gap, Gaps, Ranked,
-    StaticComparison, Verdict,
+    Adequacy, ByHeight, CovariateEffect, Diagnosis, EffectEstimate, FrameMode, Gap, Gaps, Ranked, StaticComparison, Verdict,
 };
 use crate::impact::effects::{LINEAR_DAMPER, LINEAR_SPRING};
 use crate::impact::fit::{Decimation, LeftOut};
 use crate::impact::landing::LandingAssessment;
-use crate::impact::measured::{Fall, RELEASE_S};
-
-/// What was compared, for the record.
-#[derive(Clone, Debug)]
-pub struct Compared {
-    /// Channel that was used.
-    pub channel: &'static str,
-    /// Channel that the model states.
-    pub stated_channel: &'static str,
-    /// Why it was used.
-    pub channel_reason: String,
-    /// What the lateral axes are used for, or why they are not, where the drops have some.
-    pub lateral_axes: Option<String>,
-    /// The model's own effects.
-    pub own_effects: Vec<&'static str>,
-    /// Drops used, by height, m.
-    pub drops: Vec<(f64, usize)>,
-    /// How the readings of each height, m, were averaged and thinned out.
-    pub sampling: Vec<(f64, Decimation)>,
-    /// Drops left out, with the reason.
-    pub left_out: Vec<LeftOut>,
-    /// What they read along the axis in free fall, for each height.
-    pub free_fall: Vec<FreeFallReading>,
-    /// Held-out heights, m.
-    pub held_out_heights_m: Vec<f64>,
-    /// Seed.
-    pub seed: u64,
-    /// Duration of the fall, for each height.
-    pub falls: Vec<Fall>,
-    /// A static test beside the models.
-    pub static_test: Option<StaticComparison>,
-    /// A frame's own mode beside the one found.
-    pub frame_mode: Option<FrameMode>,
-    /// Landings that are not level, where the drops have lateral axes.
-    pub landing: Option<LandingAssessment>,
-    /// What explains how drops of one height vary.
-    pub covariates: Vec<CovariateEffect>,
-    /// What changes together with the height.
-    pub confounding: Vec<Confounding>,
-    /// What would separate the two.
-    pub separating: Option<SeparatingExperiment>,
-}
+use crate::impact::measured::RELEASE_S;
+use crate::impact::request::{Compared, SeparatingExperiment};
 
 impl Compared {
     /// Why the channel was used, and what the lateral axes are used for.
@@ -166,35 +124,16 @@ fn rounded(value: impl Into<Value>) -> Value {
 
 /// Everything as JSON.
 pub fn json(diagnosis: &Diagnosis, compared: &Compared) -> Value {
-    let estimates = |effects: &[&str]| -> BTreeMap<&str, &EffectEstimate> {
-        diagnosis.estimates.iter().filter(|estimate| effects.contains(&estimate.effect)).map(|estimate| (estimate.key, estimate)).collect()
-    };
-    let named = diagnosis.contributions.iter().filter(|_| diagnosis.verdict != Verdict::NothingMissing);
-    let effects = named.map(|(id, taken)| json!({ "id": id, "parameters": estimates(&[id]), "contribution": taken }));
-    let [k, c] = diagnosis.base.model().stiffness_and_damping();
-    let decided = compared.landing.as_ref().is_some_and(LandingAssessment::decides);
-    let alternatives = diagnosis
-        .alternatives
-        .iter()
-        .skip(usize::from(!decided))
-        .map(|other| json!({ "effects": other.candidate.ids(), "weight": other.weight, "score": other.candidate.score }));
-    let correlated = diagnosis.estimates.iter().take(diagnosis.correlations.nrows());
-    let keys: Vec<String> = correlated.map(|estimate| format!("{}.{}", estimate.effect, estimate.key)).collect();
-    let correlations: Vec<Vec<f64>> = diagnosis.correlations.row_iter().map(|row| row.iter().copied().collect()).collect();
     let mut all = json!({
         "schema_version": 1,
         "verdict": diagnosis.verdict.id(),
         "reasons": diagnosis.reasons,
-        "effects": rounded(effects.collect::<Value>()),
-        "base": {
-            "before": rounded(json!({ "k": k, "c": c })),
-            "after": rounded(json!(estimates(&[LINEAR_SPRING.id, LINEAR_DAMPER.id]))),
-            "body": drop_data::body(&diagnosis.base.model().body),
-        },
+        "effects": rounded(effects(diagnosis)),
+        "base": base(diagnosis),
         "weight": rounded(diagnosis.alternatives.first().map(|best| best.weight)),
-        "alternatives": rounded(alternatives.collect::<Value>()),
+        "alternatives": rounded(alternatives(diagnosis, compared)),
         "ranking": diagnosis.ranking.iter().map(ranked).collect::<Vec<_>>(),
-        "correlations": { "of": keys, "matrix": rounded(correlations) },
+        "correlations": correlations(diagnosis),
         "gap": rounded(gaps(diagnosis, compared.before(diagnosis))),
         "where": diagnosis.residual_map,
         "lack_of_fit_p": rounded(diagnosis.adequacy.p),
@@ -231,6 +170,42 @@ pub fn json(diagnosis: &Diagnosis, compared: &Compared) -> Value {
         }
     }
     all
+}
+
+/// Estimates of some effects by their key.
+fn estimates<'a>(diagnosis: &'a Diagnosis, effects: &[&str]) -> BTreeMap<&'a str, &'a EffectEstimate> {
+    diagnosis.estimates.iter().filter(|estimate| effects.contains(&estimate.effect)).map(|estimate| (estimate.key, estimate)).collect()
+}
+
+/// The effects of the chosen set; none where nothing is missing.
+fn effects(diagnosis: &Diagnosis) -> Value {
+    let named = diagnosis.contributions.iter().filter(|_| diagnosis.verdict != Verdict::NothingMissing);
+    named.map(|(id, taken)| json!({ "id": id, "parameters": estimates(diagnosis, &[id]), "contribution": taken })).collect()
+}
+
+/// Spring and damper before and after, and the body.
+fn base(diagnosis: &Diagnosis) -> Value {
+    let [k, c] = diagnosis.base.model().stiffness_and_damping();
+    json!({
+        "before": rounded(json!({ "k": k, "c": c })),
+        "after": rounded(json!(estimates(diagnosis, &[LINEAR_SPRING.id, LINEAR_DAMPER.id]))),
+        "body": drop_data::body(&diagnosis.base.model().body),
+    })
+}
+
+/// Sets that explain the drops as well: all but the chosen one, or all where landings that are not level decide.
+fn alternatives(diagnosis: &Diagnosis, compared: &Compared) -> Value {
+    let decided = compared.landing.as_ref().is_some_and(LandingAssessment::decides);
+    let others = diagnosis.alternatives.iter().skip(usize::from(!decided));
+    others.map(|other| json!({ "effects": other.candidate.ids(), "weight": other.weight, "score": other.candidate.score })).collect()
+}
+
+/// Between which estimates, and the matrix.
+fn correlations(diagnosis: &Diagnosis) -> Value {
+    let correlated = diagnosis.estimates.iter().take(diagnosis.correlations.nrows());
+    let of: Vec<String> = correlated.map(|estimate| format!("{}.{}", estimate.effect, estimate.key)).collect();
+    let matrix: Vec<Vec<f64>> = diagnosis.correlations.row_iter().map(|row| row.iter().copied().collect()).collect();
+    json!({ "of": of, "matrix": rounded(matrix) })
 }
 
 /// The model after as a file. The verdict stands in comments above it, and where landings that are not level decide, what such a file cannot state.

@@ -7,10 +7,10 @@ use serde_json::{Value, json};
 use crate::export::ExportError;
 use crate::export::table::csv;
 use crate::figures::{PARAMETER_DIGITS, significant};
-use crate::mechanics::result::impact::{Impact, Run, sampled_peak_g};
+use crate::mechanics::result::impact::Impact;
 use crate::mechanics::result::underside::{Reached, Underside};
 use crate::mechanics::settings::MechanicsSettings;
-use crate::paper_logger::{BANDWIDTH_HZ, STEP_MS};
+use crate::paper_logger::BANDWIDTH_HZ;
 
 /// What was computed.
 pub struct Impacts<'a> {
@@ -28,17 +28,6 @@ pub struct Impacts<'a> {
     pub impacts: &'a [Impact],
 }
 
-/// Peak behind the sensor, g.
-pub fn sensor_peak_g(impact: &Impact) -> f64 {
-    impact.through(BANDWIDTH_HZ).into_iter().fold(0.0, f64::max)
-}
-
-/// Peak in the records of the real drops' logger, g: behind the sensor, one reading a millisecond. This is what a measured peak compares
-/// with; it holds for the steps of [`Run::default`].
-fn logged_peak_g(impact: &Impact) -> f64 {
-    sampled_peak_g(&impact.through(BANDWIDTH_HZ), Run::default().step_ms, STEP_MS)
-}
-
 fn of_height(found: &Impacts, impact: &Impact, series: bool) -> Value {
     let [peak_g, peak_ms] = impact.peak();
     let lost: BTreeMap<_, _> = impact.lost.iter().copied().collect();
@@ -47,8 +36,8 @@ fn of_height(found: &Impacts, impact: &Impact, series: bool) -> Value {
         "impact_speed_m_s": impact.speed_m_s,
         "peak_proper_g": peak_g,
         "peak_at_ms": peak_ms,
-        "peak_sensor_g": sensor_peak_g(impact),
-        "peak_logged_g": logged_peak_g(impact),
+        "peak_sensor_g": impact.sensor_peak_g(),
+        "peak_logged_g": impact.logged_peak_g(),
         "travel_mm": impact.travel_mm(),
         "contact_ms": impact.contact_ms,
         "restitution": impact.restitution,
@@ -112,68 +101,86 @@ pub fn trace_csv(found: &Impacts) -> Result<String, ExportError> {
 
 /// What a person reads.
 pub fn table(found: &Impacts) -> String {
-    let mut text = format!(
-        "{}: {:.1} g, E {:.1} MPa at rest (band {:.1} to {:.1}), relaxation exponent {}, modulus and loss in an impact {} and {}\n",
-        found.frame,
-        found.mass_g,
-        found.settings.young_mpa,
-        found.settings.young_band_mpa[0],
-        found.settings.young_band_mpa[1],
-        found.settings.relaxation_exponent,
-        significant(found.settings.impact_modulus, PARAMETER_DIGITS),
-        significant(found.settings.impact_loss, PARAMETER_DIGITS)
-    );
-    if found.tilt_deg != [0.0; 2] {
-        text += &format!(
-            "tilted by {} and {} degrees about X and Y at first touch; peaks are along the frame's own axis\n",
-            found.tilt_deg[0], found.tilt_deg[1]
-        );
-    }
-    text.push('\n');
+    let mut text = head(found);
     text += "height  impact  ------- peak, g -------     at  travel  contact  rebound   -- lost, % --\n";
     text += "     m     m/s  proper   sensor  logged     ms      mm       ms    speed   TPU   ground\n";
-    for impact in found.impacts {
-        let [peak, at] = impact.peak();
-        let end = &impact.energies[1];
-        let input = 0.5 * found.mass_g * impact.speed_m_s * impact.speed_m_s;
-        let contact = impact.contact_ms.map_or("     -".into(), |ms| format!("{ms:>6.1}"));
-        let rebound = impact.restitution.map_or("-".into(), |rebound| format!("{rebound:.2}"));
-        text += &format!(
-            "{:>6} {:>7.3} {peak:>7.1} {:>8.1} {:>7.1} {at:>6.1} {:>7.1}   {contact} {rebound:>8} {:>5.1} {:>8.1}\n",
-            impact.height_m,
-            impact.speed_m_s,
-            sensor_peak_g(impact),
-            logged_peak_g(impact),
-            impact.travel_mm(),
-            100.0 * end.relaxed_mj / input,
-            100.0 * end.friction_mj / input,
-        );
-    }
+    text.extend(found.impacts.iter().map(|impact| row(impact, found.mass_g)));
     if let Some(underside) = &found.underside {
         text.push('\n');
-        let gap = underside.gap_mm;
-        for impact in found.impacts {
-            text += &match underside.reached(impact) {
-                Some(Reached { at_ms, speed_m_s }) => format!(
-                    "{} m: the lowest body reaches the ground after {at_ms:.1} ms at {speed_m_s:.2} m/s (gap {gap:.1} mm); its impact is not included in the peak\n",
-                    impact.height_m
-                ),
-                None => {
-                    format!("{} m: the gap of {gap:.1} mm is not used up, {:.1} mm are left\n", impact.height_m, underside.least_mm(impact))
-                }
-            };
-        }
+        text.extend(found.impacts.iter().map(|impact| of_underside(underside, impact)));
     }
-    for impact in found.impacts.iter().filter(|impact| impact.contact_ms.is_none()) {
-        let last_ms = impact.moments.last().map_or(0.0, |moment| moment.t_ms);
+    text.extend(found.impacts.iter().filter(|impact| impact.contact_ms.is_none()).map(not_ended));
+    let open = found.impacts.iter().map(|impact| impact.unaccounted).max_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(0.0);
+    text += &format!("\nthe energies add up to within {:.1} % of that of the impact\n", 100.0 * open.abs());
+    if open.abs() > MOST_OPEN {
+        let what = if open > 0.0 { "lost" } else { "made" };
         text += &format!(
-            "{} m: the feet are on the ground after {last_ms:.0} ms, where the computation ends: there is no rebound\n",
-            impact.height_m
+            "warning: so much energy is {what} by the steps of the computation: rebound, and what is left at the end, are wrong by as much\n"
         );
     }
-    let open = found.impacts.iter().map(|impact| impact.unaccounted.abs()).fold(0.0, f64::max);
-    text += &format!("\nthe energies add up to within {:.1} % of that of the impact\n", 100.0 * open);
     text +=
         "proper: of the payload; sensor: behind a low-pass of 500 Hz; logged: of readings a millisecond apart, as measured peaks are\n\n";
     text
+}
+
+/// What was computed with which numbers.
+fn head(found: &Impacts) -> String {
+    let settings = found.settings;
+    let tilted = match found.tilt_deg {
+        [0.0, 0.0] => String::new(),
+        [x, y] => format!("tilted by {x} and {y} degrees about X and Y at first touch; peaks are along the frame's own axis\n"),
+    };
+    format!(
+        "{}: {:.1} g, E {:.1} MPa at rest (band {:.1} to {:.1}), relaxation exponent {}, modulus and loss in an impact {} and {}\n{tilted}\n",
+        found.frame,
+        found.mass_g,
+        settings.young_mpa,
+        settings.young_band_mpa[0],
+        settings.young_band_mpa[1],
+        settings.relaxation_exponent,
+        significant(settings.impact_modulus, PARAMETER_DIGITS),
+        significant(settings.impact_loss, PARAMETER_DIGITS)
+    )
+}
+
+/// A height's line.
+fn row(impact: &Impact, mass_g: f64) -> String {
+    let [peak, at] = impact.peak();
+    let end = &impact.energies[1];
+    let input = 0.5 * mass_g * impact.speed_m_s * impact.speed_m_s;
+    let contact = impact.contact_ms.map_or("     -".into(), |ms| format!("{ms:>6.1}"));
+    let rebound = impact.restitution.map_or("-".into(), |rebound| format!("{rebound:.2}"));
+    format!(
+        "{:>6} {:>7.3} {peak:>7.1} {:>8.1} {:>7.1} {at:>6.1} {:>7.1}   {contact} {rebound:>8} {:>5.1} {:>8.1}\n",
+        impact.height_m,
+        impact.speed_m_s,
+        impact.sensor_peak_g(),
+        impact.logged_peak_g(),
+        impact.travel_mm(),
+        100.0 * end.relaxed_mj / input,
+        100.0 * end.friction_mj / input,
+    )
+}
+
+/// Energy that the computation loses or makes, part of that of the impact, beyond which it is told: about what a rebound has.
+const MOST_OPEN: f64 = 0.05;
+
+/// A drop whose contact goes on where the computation ends.
+fn not_ended(impact: &Impact) -> String {
+    let last_ms = impact.moments.last().map_or(0.0, |moment| moment.t_ms);
+    format!(
+        "{} m: the feet are on the ground after {last_ms:.0} ms, where the computation ends: there is no rebound, and peak and travel are those so far\n",
+        impact.height_m
+    )
+}
+
+/// How near the lowest body comes to the ground.
+fn of_underside(underside: &Underside, impact: &Impact) -> String {
+    let (gap, height_m) = (underside.gap_mm, impact.height_m);
+    match underside.reached(impact) {
+        Some(Reached { at_ms, speed_m_s }) => format!(
+            "{height_m} m: the lowest body reaches the ground after {at_ms:.1} ms at {speed_m_s:.2} m/s (gap {gap:.1} mm); its impact is not included in the peak\n"
+        ),
+        None => format!("{height_m} m: the gap of {gap:.1} mm is not used up, {:.1} mm are left\n", underside.least_mm(impact)),
+    }
 }

@@ -6,6 +6,23 @@ use crate::export::ExportError;
 use crate::export::table::{csv, number};
 use crate::impact::measured::{ClockPeriod, Drop, DropGroup, DropSet, Flag, JudgedDrops, Spread, Summary};
 
+/// A figure of a drop.
+type Figure = fn(&Drop) -> Option<f64>;
+
+/// Figures of a drop by their key; `None` where the drop does not show it.
+const FIGURES: [(&str, Figure); 10] = [
+    ("trigger_s", |drop| drop.impact.as_ref().map(|impact| drop.record.t_s[impact.trigger])),
+    ("peak_g", |drop| drop.impact.as_ref().filter(|_| drop.record.axes_g.is_some()).map(|impact| impact.peak_g)),
+    ("peak_axial_g", |drop| drop.impact.as_ref().map(|impact| impact.peak_axial_g)),
+    ("to_peak_ms", |drop| drop.impact.as_ref().map(|impact| impact.to_peak_s * 1e3)),
+    ("impulse_over_v0", |drop| drop.impact.as_ref().map(|impact| impact.impulse_over_v0(drop.record.height_m))),
+    ("restitution", |drop| drop.impact.as_ref().map(|impact| impact.restitution(drop.record.height_m))),
+    ("restitution_by_flight", |drop| drop.impact.as_ref().and_then(|impact| impact.restitution_by_flight(drop.record.height_m))),
+    ("second_hit_s", |drop| drop.impact.as_ref().and_then(|impact| impact.second_hit).map(|hit| drop.record.t_s[hit])),
+    ("fall_s", |drop| drop.impact.as_ref().and_then(|impact| impact.fall_s)),
+    ("noise_g", |drop| drop.impact.as_ref().and_then(|impact| impact.noise_g)),
+];
+
 /// What a group is called.
 pub fn name(group: &DropGroup) -> String {
     match &group.frame {
@@ -39,17 +56,8 @@ fn of_drop(drop: &Drop) -> Value {
         "samples": record.len(),
         "flags": flags,
     });
-    if let Some(impact) = &drop.impact {
-        value["trigger_s"] = json!(record.t_s[impact.trigger]);
-        value["peak_g"] = json!(record.axes_g.as_ref().map(|_| impact.peak_g));
-        value["peak_axial_g"] = json!(impact.peak_axial_g);
-        value["to_peak_ms"] = json!(impact.to_peak_s * 1e3);
-        value["impulse_over_v0"] = json!(impact.impulse_over_v0(record.height_m));
-        value["restitution"] = json!(impact.restitution(record.height_m));
-        value["restitution_by_flight"] = json!(impact.restitution_by_flight(record.height_m));
-        value["second_hit_s"] = json!(impact.second_hit.map(|hit| record.t_s[hit]));
-        value["fall_s"] = json!(impact.fall_s);
-        value["noise_g"] = json!(impact.noise_g);
+    if drop.impact.is_some() {
+        FIGURES.iter().for_each(|(key, of)| value[*key] = json!(of(drop)));
     }
     value
 }
@@ -96,22 +104,14 @@ pub fn heights_csv(groups: &[(&DropGroup, Vec<Drop>)]) -> Result<String, ExportE
 /// # Errors
 /// Those of [`csv()`].
 pub fn drops_csv(groups: &[(&DropGroup, Vec<Drop>)]) -> Result<String, ExportError> {
-    let columns = "frame,height_m,trial,source,peak_g,peak_axial_g,to_peak_ms,impulse_over_v0,restitution,fall_s,noise_g,flags";
+    let keys = FIGURES.iter().map(|(key, _)| *key);
+    let columns = ["frame", "height_m", "trial", "source"].into_iter().chain(keys).chain(["flags"]);
     let rows = groups.iter().flat_map(|(_, drops)| drops).map(|drop| {
-        let (record, impact) = (drop.record, drop.impact.as_ref());
-        let numbers = [
-            impact.filter(|_| record.axes_g.is_some()).map(|impact| impact.peak_g),
-            impact.map(|impact| impact.peak_axial_g),
-            impact.map(|impact| impact.to_peak_s * 1e3),
-            impact.map(|impact| impact.impulse_over_v0(record.height_m)),
-            impact.map(|impact| impact.restitution(record.height_m)),
-            impact.and_then(|impact| impact.fall_s),
-            impact.and_then(|impact| impact.noise_g),
-        ];
+        let record = drop.record;
         let flags: Vec<&str> = drop.flags.iter().map(|flag| flag.name()).collect();
         let frame = record.frame.clone().unwrap_or_default();
         let named = [frame, record.height_m.to_string(), record.trial.clone(), record.source.clone()];
-        named.into_iter().chain(numbers.map(number)).chain([flags.join(" ")])
+        named.into_iter().chain(FIGURES.iter().map(|(_, of)| number(of(drop)))).chain([flags.join(" ")])
     });
-    csv("drops.csv", columns.split(','), rows)
+    csv("drops.csv", columns, rows)
 }

@@ -4,10 +4,9 @@ use super::landing_section;
 use crate::figures::{PARAMETER_DIGITS, hundredths, p_value, significant};
 use crate::frame::assembly::Design;
 use crate::impact::diagnose::{CovariateEffect, Diagnosis, Gap, Point, Verdict, joined};
+use crate::impact::request::{Compared, SeparatingExperiment};
 use crate::report::chart::lines::{Lines, Series};
-use crate::report::chart::plot::{PlotError, files};
-use crate::report::data::diagnosis_data::Compared;
-use crate::report::data::separating_experiment::SeparatingExperiment;
+use crate::report::chart::plot::PlotError;
 use crate::report::page::document::Block;
 
 /// Title of the page.
@@ -162,73 +161,68 @@ fn waves(diagnosis: &Diagnosis) -> Result<Vec<Block>, PlotError> {
     let mut heights: Vec<f64> = diagnosis.base_points.iter().map(|point| point.height_m).collect();
     heights.dedup();
     for height_m in &heights {
-        // All at the times of the base model's first touch: samples are compared by their place behind the trigger, whatever the onset of a model.
-        let of = |points: &[Point], value: &dyn Fn(&Point) -> f64| -> Vec<(f64, f64)> {
-            let own = |points: &&Point| points.height_m == *height_m;
-            let times_ms = diagnosis.base_points.iter().filter(own).map(|point| point.t_ms);
-            times_ms.zip(points.iter().filter(own).map(value)).collect()
-        };
-        let line = |label: &str, colour: usize, width: u32, marked: bool, points: Vec<(f64, f64)>| Series {
-            label: Some(label.into()),
-            colour,
-            width,
-            marked,
-            points,
-        };
-        let chart = Lines {
-            title: format!("Mean wave from {height_m} m"),
-            across: "time from first touch in the model before, ms",
-            up: "acceleration, g",
-            series: vec![
-                line("measured", 6, 1, true, of(&diagnosis.base_points, &|point| point.measured_g)),
-                line("before", 1, 2, false, of(&diagnosis.base_points, &|point| point.model_g)),
-                line("after", 0, 2, false, of(&diagnosis.chosen_points, &|point| point.model_g)),
-            ],
-            levels: Vec::new(),
-            left: Vec::new(),
-            legend: plotters::prelude::SeriesLabelPosition::UpperRight,
-        };
-        blocks.push(figure(
-            &format!("wave-{height_m}-m"),
-            &chart,
-            format!("Mean wave from {height_m} m with the model before and after."),
-        )?);
+        let caption = format!("Mean wave from {height_m} m with the model before and after.");
+        blocks.push(Block::figure(&format!("wave-{height_m}-m"), &wave_chart(diagnosis, *height_m), caption)?);
     }
-    for (name, points, when) in
-        [("residual-before", &diagnosis.base_points, "before"), ("residual-after", &diagnosis.chosen_points, "after")]
-    {
-        let series = heights
-            .iter()
-            .enumerate()
-            .map(|(colour, height_m)| Series {
-                label: Some(format!("{height_m} m")),
-                colour,
-                width: 2,
-                marked: true,
-                points: points
-                    .iter()
-                    .filter(|point| point.height_m == *height_m)
-                    .map(|point| (point.t_ms, (point.measured_g - point.model_g) / point.error_g.max(1e-3)))
-                    .collect(),
-            })
-            .collect();
-        let chart = Lines {
-            title: format!("Residual {when}"),
-            across: "time from first touch, ms",
-            up: "measured less model, standard errors",
-            series,
-            levels: vec![("2 standard errors".into(), 2.0), ("−2".into(), -2.0)],
-            left: Vec::new(),
-            legend: plotters::prelude::SeriesLabelPosition::UpperRight,
-        };
-        blocks.push(figure(name, &chart, format!("Residual {when}, in standard errors of the mean wave."))?);
+    for (when, points) in [("before", &diagnosis.base_points), ("after", &diagnosis.chosen_points)] {
+        let caption = format!("Residual {when}, in standard errors of the mean wave.");
+        blocks.push(Block::figure(&format!("residual-{when}"), &residual_chart(when, points, &heights), caption)?);
     }
     Ok(blocks)
 }
 
-fn figure(name: &str, chart: &Lines, caption: String) -> Result<Block, PlotError> {
-    let [(_, svg), _] = files(name, chart)?;
-    Ok(Block::Figure { name: name.into(), svg: String::from_utf8_lossy(&svg).into_owned(), caption })
+/// Mean wave of a height with the models before and after. All at the times of the base model's first touch: samples are compared by their place
+/// behind the trigger, whatever the onset of a model.
+fn wave_chart(diagnosis: &Diagnosis, height_m: f64) -> Lines {
+    let of = |points: &[Point], value: &dyn Fn(&Point) -> f64| -> Vec<(f64, f64)> {
+        let own = |points: &&Point| points.height_m == height_m;
+        let times_ms = diagnosis.base_points.iter().filter(own).map(|point| point.t_ms);
+        times_ms.zip(points.iter().filter(own).map(value)).collect()
+    };
+    let line = |label: &str, colour: usize, width: u32, marked: bool, points: Vec<(f64, f64)>| Series {
+        label: Some(label.into()),
+        colour,
+        width,
+        marked,
+        points,
+    };
+    Lines {
+        title: format!("Mean wave from {height_m} m"),
+        across: "time from first touch in the model before, ms",
+        up: "acceleration, g",
+        series: vec![
+            line("measured", 6, 1, true, of(&diagnosis.base_points, &|point| point.measured_g)),
+            line("before", 1, 2, false, of(&diagnosis.base_points, &|point| point.model_g)),
+            line("after", 0, 2, false, of(&diagnosis.chosen_points, &|point| point.model_g)),
+        ],
+        levels: Vec::new(),
+        left: Vec::new(),
+        legend: plotters::prelude::SeriesLabelPosition::UpperRight,
+    }
+}
+
+/// What a model leaves of the mean waves, in their standard errors.
+fn residual_chart(when: &str, points: &[Point], heights: &[f64]) -> Lines {
+    let series = |(colour, height_m): (usize, &f64)| Series {
+        label: Some(format!("{height_m} m")),
+        colour,
+        width: 2,
+        marked: true,
+        points: points
+            .iter()
+            .filter(|point| point.height_m == *height_m)
+            .map(|point| (point.t_ms, (point.measured_g - point.model_g) / point.error_g.max(1e-3)))
+            .collect(),
+    };
+    Lines {
+        title: format!("Residual {when}"),
+        across: "time from first touch, ms",
+        up: "measured less model, standard errors",
+        series: heights.iter().enumerate().map(series).collect(),
+        levels: vec![("2 standard errors".into(), 2.0), ("−2".into(), -2.0)],
+        left: Vec::new(),
+        legend: plotters::prelude::SeriesLabelPosition::UpperRight,
+    }
 }
 
 fn residual_map(diagnosis: &Diagnosis) -> Vec<Block> {

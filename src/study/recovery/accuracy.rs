@@ -8,6 +8,7 @@ use super::setting::Recovery;
 use super::share::Share;
 use super::truth::Truth;
 use crate::impact::landing::LANDING_TILT;
+use crate::impact::measured::quantile;
 use crate::impact::synthetic::ScatterLaw;
 use crate::study::outcomes::Outcomes;
 use crate::study::plan::Study;
@@ -128,7 +129,7 @@ fn covered(rows: &Rows, parameter: Option<&str>) -> Fact {
 /// The value below which a part of the values lies.
 fn part(mut values: Vec<f64>, part: f64) -> Fact {
     values.sort_by(f64::total_cmp);
-    values.get((values.len() as f64 * part) as usize).map_or(Fact::None, |value| Fact::Number(*value))
+    quantile(&values, part).map_or(Fact::None, Fact::Number)
 }
 
 fn held_out(rows: &Rows, below: f64) -> Fact {

@@ -84,6 +84,9 @@ impl Recovery {
 
 impl<'a> Findings<'a> {
     /// Looks at a row as far as it is asked.
+    ///
+    /// # Errors
+    /// When the drops cannot be made or compared, in words.
     pub fn of(recovery: &Recovery, case: &'a Case, asked: &[Asks]) -> Result<Self, String> {
         let plan = plan(recovery, case)?;
         let asks = |what: Asks| asked.contains(&what);

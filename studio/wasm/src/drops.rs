@@ -7,7 +7,7 @@ use flexframe::impact::measured::{FileFormat, JudgedDrops, read_bytes};
 use flexframe::impact::sim::{SolverOptions, System, Trace, check_heights, simulate};
 use flexframe::impact::synthetic::{Plan, records, table};
 use flexframe::params::ImpactFile;
-use flexframe::report::data::diagnosis_request::DiagnosisRequest;
+use flexframe::impact::request::DiagnosisRequest;
 use flexframe::report::data::{diagnosis_data, drop_data, measure_data};
 use serde_json::Value;
 

@@ -10,16 +10,14 @@ use flexframe::impact::effects::{Channel, FrameCurve, Model, by_id};
 use flexframe::impact::fit::{Chosen, Keep, Layout, PaperObjective, Waves, fit};
 use flexframe::impact::landing::LandingAssessment;
 use flexframe::impact::measured;
-use flexframe::impact::measured::{DropSet, FileFormat, StaticTest};
+use flexframe::impact::measured::{DropSet, FileFormat, JudgedDrops, Session, StaticTest};
+use flexframe::impact::request::{Compared, DiagnosisRequest, SeparatingExperiment};
 use flexframe::mechanics;
 use flexframe::mechanics::model::frame_model::{Extent, FrameModel};
 use flexframe::mechanics::result::reduction::Reduction;
 use flexframe::mechanics::result::static_curve::StaticCurve;
 use flexframe::params::Frame;
-use flexframe::report::data::diagnosis_data::Compared;
-use flexframe::report::data::diagnosis_request::DiagnosisRequest;
 use flexframe::report::data::landing_data;
-use flexframe::report::data::separating_experiment::SeparatingExperiment;
 
 /// Cutoffs at which the paper's damper is fitted again, Hz; the second is its notebook's 500 rad/s, the fifth its text's.
 const CUTOFFS_HZ: [f64; 6] = [50.0, 79.577_471_545_947_67, 150.0, 300.0, 500.0, 1000.0];
@@ -38,6 +36,8 @@ pub struct Study {
     pub magnitude: Vec<Observable>,
     /// Axis, height by height.
     pub axial: Vec<Observable>,
+    /// Zeros of the sensor, and what it reads while held, height by height.
+    pub sessions: Vec<Session>,
     /// Cutoff, Hz, damper, N s/m, and the paper's objective there.
     pub damper_at: Vec<(f64, f64, f64)>,
     /// Cutoff, Hz, and damper, N s/m, where both are free.
@@ -127,6 +127,7 @@ impl Study {
         Self {
             magnitude: observables(&magnitude, &model),
             axial: observables(&axial, &model),
+            sessions: JudgedDrops::of(&set).sessions,
             damper_at: CUTOFFS_HZ.iter().map(|cutoff_hz| damper(*cutoff_hz, &["c"])).collect(),
             free_cutoff: damper(200.0, &["c", "cutoff_hz"]),
             all,
@@ -154,6 +155,7 @@ impl Study {
              [diagnosis.md](diagnosis.md) explains the terms.\n\n",
         );
         self.channel(&mut page);
+        self.zero(&mut page);
         self.cutoff(&mut page);
         self.place(&mut page);
         self.trap(&mut page);
@@ -180,6 +182,23 @@ impl Study {
         page.push_str(
             "\nThe magnitude, which the paper fits, contains sideways motion. `diagnose` compares the axial component instead, and reports this. No\n\
              drop is left out because of its impulse. Only records whose clock stalled, or that show two hits, are left out.\n\n",
+        );
+    }
+
+    fn zero(&self, page: &mut String) {
+        page.push_str("## The sensor's zero\n\n\
+             A falling sensor reads its zero and the drag of the air, which grows with the square of the time. The course of each fall tells the two\n\
+             apart. The last column is a test of the result: it contains none of the readings from which the zero is computed.\n\n\
+             | height, m | reading along the axis in free fall, g | of which zero, g | of which drag, g | magnitude while held, less the zeros, g |\n\
+             |---|---|---|---|---|\n");
+        for (reading, session) in self.compared.free_fall.iter().zip(&self.sessions) {
+            let (read_g, drag_g) = (reading.along_g, reading.along_g - reading.zero_g);
+            let held_g = session.held_g.expect("is held before it is dropped").median;
+            let _ = writeln!(page, "| {} | {read_g:.3} | {:.3} | {drag_g:.3} | {held_g:.3} |", reading.height_m, reading.zero_g);
+        }
+        page.push_str(
+            "\nThe zero is the same at all heights, and the drag grows with the height, as it should. Until 2026-11-28 the zero was not taken off what is\n\
+             compared. It stood in all of each wave.\n\n",
         );
     }
 

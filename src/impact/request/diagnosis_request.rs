@@ -1,6 +1,6 @@
 //! A diagnosis as it is asked for: the model, the drops as read, the heights held out.
 
-use super::diagnosis_data::Compared;
+use super::compared::Compared;
 use super::separating_experiment::SeparatingExperiment;
 use crate::figures::decimals;
 use crate::impact::body::Feet;
