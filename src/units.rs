@@ -11,7 +11,7 @@ pub const GRAVITY_M_S2: f64 = 9.81;
 pub const GRAVITY_MM_MS2: f64 = 9.81e-3;
 
 /// An angle; made and read only with its unit.
-#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
 pub struct Angle(f64);
 
 impl Angle {

@@ -10,6 +10,7 @@ use crate::impact::body::DropBody;
 use crate::impact::effects::Model;
 use crate::impact::measured::{self, Calibration, DropSet, FileFormat, TableFormat};
 use crate::params::preset;
+use crate::units::Angle;
 
 /// The model that is the frame's own.
 pub(super) const FRAME_MODEL: &str = "frame";
@@ -55,7 +56,7 @@ pub(super) fn with_body_of(frame: Option<String>, mut model: Model, common: &Com
 pub(super) fn file_format(args: &FormatOptions) -> Result<FileFormat, Failure> {
     let table = TableFormat::new(&args.columns, &args.units, args.rate).and_then(|table| table.zeroed(&args.zero));
     let table = table.map_err(|error| Failure::Usage { message: error.to_string() })?;
-    Ok(FileFormat { calibration: calibration(args)?, table })
+    Ok(FileFormat { calibration: calibration(args)?, table, turn: Angle::deg(args.turn) })
 }
 
 /// Reads drops whose files are written so.
@@ -64,6 +65,9 @@ pub(super) fn file_format(args: &FormatOptions) -> Result<FileFormat, Failure> {
 /// Also when an option says how files are written of which none is there: it would say nothing.
 pub(super) fn read_drops(paths: &[PathBuf], args: &FormatOptions, format: &FileFormat) -> Result<DropSet, Failure> {
     let set = measured::read(paths, format)?;
+    if args.turn != 0.0 && set.records().all(|record| record.axes_g.is_none()) {
+        return Err(Failure::Usage { message: "--turn is about the axes x and y, and no drop has them".into() });
+    }
     let tables = set.records().filter(|record| record.is_of_table()).count();
     let logged = set.records().count() - tables;
     let idle =

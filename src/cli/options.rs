@@ -81,6 +81,10 @@ pub(super) struct FormatOptions {
     /// --units. --zero=-1 puts gravity back where it was taken off.
     #[arg(long, value_delimiter = ',', num_args = 1, allow_hyphen_values = true, value_name = "G", value_parser = number([-1e3, 1e3], "g"))]
     pub zero: Vec<f64>,
+    /// Angle from the frame's front to the sensor's x, deg, counted toward the left, for sensors that are mounted turned: x and y are turned
+    /// back by it. 45 where x points along a leg.
+    #[arg(long, default_value_t = 0.0, allow_hyphen_values = true, value_name = "DEG", value_parser = number([-360.0, 360.0], "deg"))]
+    pub turn: f64,
     /// Sampling rate of a table, Hz, in place of its time stamps.
     #[arg(long, value_name = "HZ", value_parser = number([1.0, 1e6], "Hz"))]
     pub rate: Option<f64>,
@@ -109,7 +113,8 @@ impl FormatOptions {
 
     /// One that was given.
     pub(super) fn given(&self) -> Option<&'static str> {
-        self.of_tables().into_iter().chain(self.of_logger()).find(|(given, _)| *given).map(|(_, name)| name)
+        let turned = (self.turn != 0.0, "--turn");
+        self.of_tables().into_iter().chain(self.of_logger()).chain([turned]).find(|(given, _)| *given).map(|(_, name)| name)
     }
 }
 

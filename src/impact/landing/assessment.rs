@@ -224,8 +224,7 @@ impl LandingAssessment {
         if self.evidence.is_turned() {
             reasons.push(format!(
                 "{LANDING_TILT}: the first touch points along x or y, and along a diagonal in {:.0} % of the drops only (p = {:.1e}). Where x and \
-                 y of the sensor point along the legs, turn the lateral readings by 45 degrees, (x - y)/√2 in the column x and (x + y)/√2 in the column y, so that x points to the front and y \
-                 to the left",
+                 y of the sensor point along the legs, turn them back by 45 degrees (`--turn 45`): x then points to the front and y to the left",
                 1e2 * self.evidence.along_diagonals,
                 self.evidence.along_axes_p
             ));

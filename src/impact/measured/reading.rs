@@ -48,7 +48,7 @@ pub(super) fn records(
         FileKind::Logger => {
             let no_height = || malformed(path, SourcePosition::Whole, Fault::NoHeight { folder: folder.into() });
             let record = logger::record(&bytes()?, label.ok_or_else(no_height)?, &format.calibration).map_err(refused)?;
-            Ok((vec![record], Vec::new()))
+            Ok((vec![record.turned_back(format.turn)], Vec::new()))
         }
         FileKind::Table => {
             let (records, aside) = table::records(&bytes()?, &source, label.as_ref(), &format.table).map_err(refused)?;
@@ -59,6 +59,7 @@ pub(super) fn records(
                 format!("the time stamps say {stamped:.places$} Hz; --rate {given} is used instead of them")
             });
             let remark = |text: String| Remark { source: source.clone(), text };
+            let records = records.into_iter().map(|record| record.turned_back(format.turn)).collect();
             Ok((records, columns.into_iter().chain(rate).map(remark).collect()))
         }
     }
@@ -117,6 +118,7 @@ pub fn read_bytes(files: &[(String, Vec<u8>)], format: &FileFormat) -> Result<Dr
 mod tests {
     use super::super::TableFormat;
     use super::*;
+    use crate::units::Angle;
 
     #[test]
     fn analytic_bytes_are_read_by_their_names() {
@@ -154,6 +156,21 @@ mod tests {
         };
         assert_eq!(notes(500.0), ["a.csv: the time stamps say 1000 Hz; --rate 500 is used instead of them"]);
         assert_eq!(notes(1010.0), Vec::<String>::new());
+    }
+
+    /// A push from the front reads 10 g along the front, and a sensor whose x points to the left has it as -10 g along y.
+    #[test]
+    fn analytic_a_sensor_that_is_mounted_turned_is_turned_back() {
+        let files = [("a.csv".to_string(), b"trial,height_m,t_s,x,y,z\n1,0.5,0,0,-10,3\n1,0.5,0.001,2,0,4\n".to_vec())];
+        let axes = |degrees: f64| {
+            let set = read_bytes(&files, &FileFormat { turn: Angle::deg(degrees), ..FileFormat::default() }).expect("reads");
+            let axes = set.records().next().and_then(|record| record.axes_g.clone()).expect("all were measured");
+            axes.map(|axis| axis.into_iter().map(|reading| (1e9 * reading).round() * 1e-9 + 0.0).collect::<Vec<f64>>())
+        };
+        assert_eq!(axes(0.0), [[0.0, 2.0], [-10.0, 0.0], [3.0, 4.0]]);
+        assert_eq!(axes(90.0), [[10.0, 0.0], [0.0, 2.0], [3.0, 4.0]]);
+        let [[x, _], [y, _]] = [axes(45.0)[0].clone(), axes(45.0)[1].clone()].map(|axis| <[f64; 2]>::try_from(axis).expect("two readings"));
+        assert!((x - 50_f64.sqrt()).abs() < 1e-8 && (y + 50_f64.sqrt()).abs() < 1e-8, "{x} {y}");
     }
 
     #[test]

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use super::drop_order::in_order;
 use super::file_kind::FileKind;
+use crate::units::Angle;
 
 /// One drop as it was measured.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,6 +38,19 @@ impl Record {
     pub fn size_g(&self, sample: usize) -> f64 {
         let magnitude = |axes: &[Vec<f64>; 3]| axes.iter().map(|axis| axis[sample] * axis[sample]).sum::<f64>().sqrt();
         self.axes_g.as_ref().map_or_else(|| self.accel_g[sample].abs(), magnitude)
+    }
+
+    /// The lateral readings of a sensor whose x points so far to the left of the frame's front, as those of the frame's front and left.
+    #[must_use]
+    pub(super) fn turned_back(mut self, turn: Angle) -> Self {
+        let angle = turn.to_rad();
+        if let Some([x, y, _]) = self.axes_g.as_mut().filter(|_| angle != 0.0) {
+            let (sin, cos) = (libm::sin(angle), libm::cos(angle));
+            for (x, y) in x.iter_mut().zip(y) {
+                (*x, *y) = (*x * cos - *y * sin, *x * sin + *y * cos);
+            }
+        }
+        self
     }
 
     /// What a further column says; `None` where it says nothing.

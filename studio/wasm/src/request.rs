@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use flexframe::impact::measured::{FileFormat, TableFormat};
 use flexframe::params::files::Memory;
+use flexframe::units::Angle;
 use serde::Deserialize;
 
 use crate::answer::Refused;
@@ -155,7 +156,7 @@ pub enum Wanted {
     },
 }
 
-/// How tables of drops are written where they are not as this program writes them: what `--columns`, `--units`, `--zero` and `--rate` take.
+/// How tables of drops are written where they are not as this program writes them: what `--columns`, `--units`, `--zero`, `--rate` and `--turn` take.
 #[derive(Debug, Default, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Written {
@@ -167,6 +168,8 @@ pub struct Written {
     zero_g: Vec<f64>,
     /// Samples a second.
     rate_hz: Option<f64>,
+    /// From the frame's front to the sensor's x, deg.
+    turn_deg: f64,
 }
 
 impl Written {
@@ -176,7 +179,7 @@ impl Written {
     /// What the command line refuses.
     pub fn format(&self) -> Result<FileFormat, Refused> {
         let table = TableFormat::new(&self.columns, &self.units, self.rate_hz).and_then(|table| table.zeroed(&self.zero_g));
-        Ok(FileFormat { table: table.map_err(Refused::plain)?, ..FileFormat::default() })
+        Ok(FileFormat { table: table.map_err(Refused::plain)?, turn: Angle::deg(self.turn_deg), ..FileFormat::default() })
     }
 }
 

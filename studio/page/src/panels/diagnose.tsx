@@ -1,5 +1,5 @@
 // Story 6: measured drops, judged; what a model lacks to explain them. An engine of its own, which can be ended at any time.
-import { signal } from "@preact/signals";
+import { signal, type Signal } from "@preact/signals";
 import plan from "../../../../params/synthetic/bottoming.toml?raw";
 import { EngineClient, Refused } from "../engine/client.ts";
 import type { Diagnosed, Measured } from "../engine/outcomes.ts";
@@ -25,12 +25,15 @@ const OPTIONS = [
   { key: "units", option: "--units", label: "Units", example: "m/s2,ms" },
   { key: "zero_g", option: "--zero", label: "Readings in free fall, g", example: "0.4,-0.3,2" },
   { key: "rate_hz", option: "--rate", label: "Samples a second", example: "3200" },
+  { key: "turn_deg", option: "--turn", label: "Sensor turned by, degrees", example: "45" },
 ] as const;
 
+type Option = (typeof OPTIONS)[number]["key"];
+
 const diagnoser = new EngineClient("diagnoser");
-const written = { columns: signal(""), units: signal(""), zero_g: signal(""), rate_hz: signal("") };
+const written = Object.fromEntries(OPTIONS.map(({ key }) => [key, signal("")])) as Record<Option, Signal<string>>;
 /** What is being typed: it stays when drops were read meanwhile. */
-const typed = { columns: signal(""), units: signal(""), zero_g: signal(""), rate_hz: signal("") };
+const typed = Object.fromEntries(OPTIONS.map(({ key }) => [key, signal("")])) as Record<Option, Signal<string>>;
 const heldOut = signal("");
 const drops = signal<Attached>({});
 /** Whether they were made here, and are of no use beside others. */
@@ -137,14 +140,20 @@ function numbers(
 
 const isAboveZero = (number: number) => number > 0;
 
+/** The one number of a field; null where there is none. */
+function one(text: string, what: string, example: string, isGood?: (number: number) => boolean): number | null {
+  const [first, ...more] = numbers(text, what, example, isGood);
+  if (more.length > 0) throw refused(`${what}: this is one number`, `write ${example}`);
+  return first ?? null;
+}
+
 function asWritten() {
-  const [rate, ...more] = numbers(written.rate_hz.value, "Samples a second", "3200", isAboveZero);
-  if (more.length > 0) throw refused("Samples a second: this is one number", "write 3200");
   return {
     columns: list(written.columns.value),
     units: list(written.units.value),
     zero_g: numbers(written.zero_g.value, "Readings in free fall, g", "0.4 or 0.4,-0.3,2"),
-    rate_hz: rate ?? null,
+    rate_hz: one(written.rate_hz.value, "Samples a second", "3200", isAboveZero),
+    turn_deg: one(written.turn_deg.value, "Sensor turned by, degrees", "45") ?? 0,
   };
 }
 
