@@ -9,6 +9,7 @@ does not hide the rule's other findings. Exit code: 0, or 2 when there is no suc
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -17,8 +18,7 @@ from pathlib import Path
 FLEXFRAME = os.environ.get("FLEXFRAME", "flexframe")
 FRAMES = (os.environ.get("FRAMES") or "frames/*.toml").split()
 STRICT = os.environ.get("STRICT") == "true"
-# Both revisions are judged by the list of the work tree.
-BASELINE = os.environ.get("BASELINE") and Path(os.environ["BASELINE"]).absolute()
+BASELINE = os.environ.get("BASELINE")
 
 # How a quantity stands to its limit, from good to bad.
 KEPT, WARNS, ACCEPTED, VIOLATED = range(4)
@@ -33,10 +33,24 @@ def plain(text):
     return re.sub(r"[^\w .,:+/-]", lambda sign: f"&#{ord(sign[0])};", " ".join(str(text).split()))
 
 
+def listed(folder):
+    """Options that judge a folder by the list of the work tree. A list names files by the way from its own folder, so that of another checkout is a copy
+    in the same place."""
+    if not BASELINE:
+        return []
+    own = Path(BASELINE).absolute()
+    if folder == Path() or not own.is_file():
+        return ["--baseline", str(own)]
+    copy = folder / os.path.relpath(own)
+    copy.parent.mkdir(parents=True, exist_ok=True)
+    shutil.copyfile(own, copy)
+    return ["--baseline", str(copy)]
+
+
 def checked(folder):
     """The frames of a folder by the name they were asked for; a pattern that matches nothing gives none."""
     frames = {}
-    options = ["--baseline", str(BASELINE)] if BASELINE else []
+    options = listed(folder)
     for pattern in FRAMES:
         done = subprocess.run([FLEXFRAME, "check", "--json", *options, "--", pattern], cwd=folder, capture_output=True, text=True)
         report = json.loads(done.stdout) if done.stdout else {}

@@ -10,7 +10,7 @@ use nalgebra::{Isometry3, Vector3};
 use rayon::prelude::*;
 
 use super::finding::{Finding, Verdict};
-use super::interference::MAGNET_TOWER;
+use super::interference::{MAGNET_TOWER, SENSOR, UNDER_RODS};
 use super::measure::Measure;
 use super::rule::{Blame, Found, InSearch, Levers, Pass, Rule};
 use super::scene::{Placed, Scene};
@@ -21,8 +21,6 @@ use crate::memo::Memo;
 use crate::params::PartName;
 
 const CLEARANCES: &[&str] = &["battery.battery_clearance_across_mm", "battery.battery_clearance_up_mm", "lid.lid_slide_clearance_mm"];
-const UNDER_RODS: &[&str] = &["rods.strut_rod_length_mm", "battery.battery_height_mm", "bought.battery"];
-const SENSOR: &[&str] = &["sleeve.sensor_reach_mm", "bought.flow_sensor"];
 const BOARDS: &[&str] = &["bracket.bay_height_mm", "sleeve.sleeve_direction"];
 const IN_LID: &[&str] = &["lid.lid_reach_mm", "battery.battery_length_mm"];
 const RIMS: &[&str] = &["lid.lid_reach_mm", "lid.lid_clearance_mm"];

@@ -17,7 +17,7 @@ const FPV_CAMERA: &[&str] = &["accessories.fpv_above_mm"];
 /// What hangs below the feet: the sleeve with its battery.
 const HANGING: &[&str] = &["bracket.bay_height_mm", "battery.battery_height_mm", "bought.battery"];
 /// The same, where the flow sensor hangs lowest.
-const SENSOR: &[&str] = &["bought.flow_sensor", "bracket.bay_height_mm"];
+const HANGING_SENSOR: &[&str] = &["bought.flow_sensor", "bracket.bay_height_mm"];
 /// What a long frame is deep by, first.
 const DEPTH: &[&str] = &["rods.cage_side_ratio", "rods.cage_rod_length_mm", "corner.corner_node_to_bottom_mm"];
 const SOLVED_WIDTH: &[&str] = &["target.width_mm"];
@@ -69,7 +69,7 @@ pub static RULE: Rule = Rule {
         Limit::Key { subject: "depth", key: "limits.envelope_depth_mm" },
         Limit::Key { subject: "height", key: "limits.envelope_height_mm" },
     ],
-    levers: Levers::Sets(&[SOLVED_HEIGHT, HEIGHT, MAST, FPV_CAMERA, HANGING, SENSOR, SOLVED_WIDTH, WIDTH, DEPTH]),
+    levers: Levers::Sets(&[SOLVED_HEIGHT, HEIGHT, MAST, FPV_CAMERA, HANGING, HANGING_SENSOR, SOLVED_WIDTH, WIDTH, DEPTH]),
     blame: Blame::Keys(&[("height", MAKE_HIGH), ("depth", MAKE_DEEP), ("", MAKE_WIDE)]),
     in_search: InSearch::Constraints { subjects: &["width", "depth", "height"], binds: true },
     found: Found::By(&[Pass::quick(check)]),
@@ -111,7 +111,7 @@ impl Extent<'_> {
         // Where more is missing than a body of the centre reaches beyond the modules, that body cannot clear it.
         let decides = beyond.filter(|beyond| size_mm - limit_mm <= beyond.reach_mm);
         let levers = match (name, solved, decides.map(|beyond| (beyond.body, beyond.below))) {
-            ("height", _, Some(("flow_sensor", true))) => SENSOR,
+            ("height", _, Some(("flow_sensor", true))) => HANGING_SENSOR,
             ("height", _, Some((_, true))) => HANGING,
             ("height", _, Some(("gps", false))) => MAST,
             ("height", _, Some(("fpv_camera", false))) => FPV_CAMERA,

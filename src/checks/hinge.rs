@@ -20,6 +20,7 @@ use super::rule::{Blame, Found, InSearch, Levers, Limit, Pass, Rule};
 use super::scene::Scene;
 use crate::frame::fold;
 use crate::frame::fold::HingeLoad;
+use crate::frame::skeleton::Skeleton;
 use crate::params::Frame;
 use crate::units::Angle;
 
@@ -90,10 +91,20 @@ pub struct NotchPreload {
 }
 
 impl NotchPreload {
+    /// Of a frame's struts.
+    pub(super) fn of(frame: &Frame, skeleton: &Skeleton) -> Self {
+        Self { fold: Angle::deg(90.0 + skeleton.closure.strut_tilt.to_deg()), closing: Angle::deg(2.0 * frame.corner.notch_half_angle_deg) }
+    }
+
+    /// How far the fold is beyond the closing, deg; below 0 where the notch stays open.
+    pub(super) fn beyond_deg(&self) -> f64 {
+        self.fold.to_deg() - self.closing.to_deg()
+    }
+
     fn finding(&self) -> Finding {
         let [value, limit] = [self.fold.to_deg(), self.closing.to_deg()];
         let measure = Measure { rule: RULE.id, value, limit, unit: "deg", levers: NOTCH };
-        let beyond = value - limit;
+        let beyond = self.beyond_deg();
         let message = if beyond > 0.0 {
             format!("the strut's notch closes at {limit:.1} deg and the fold is {value:.1} deg: its faces are preloaded by {beyond:.1} deg")
         } else {
@@ -136,7 +147,7 @@ impl LayerStrain {
 pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     let (frame, closure) = (&scene.design.frame, &scene.design.skeleton.closure);
     let strut = Angle::deg(90.0 + closure.strut_tilt.to_deg());
-    let notch = NotchPreload { fold: strut, closing: Angle::deg(2.0 * frame.corner.notch_half_angle_deg) };
+    let notch = NotchPreload::of(frame, &scene.design.skeleton);
     // What is not known to stretch is taken not to: reading a frame file already refuses such a material.
     let elongation = frame.flexible.material.elongation_at_break_percent.unwrap_or(0.0);
     let limit = elongation / frame.limits.hinge_strain_factor;

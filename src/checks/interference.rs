@@ -41,6 +41,8 @@ pub(super) const TIE_HOLES: &[&str] = &["bought.tie", "hub.hub_tie_hole_diameter
 /// What raises the tower of the lid's magnet, under the ties that run over the bracket's posts.
 pub(super) const MAGNET_TOWER: &[&str] = &["bracket.magnet_wall_mm", "bracket.bracket_roof_mm"];
 pub(super) const SENSOR: &[&str] = &["sleeve.sensor_reach_mm", "bought.flow_sensor"];
+/// What lifts the rods over the battery, or lowers what is under them.
+pub(super) const UNDER_RODS: &[&str] = &["rods.strut_rod_length_mm", "battery.battery_height_mm", "bought.battery"];
 
 pub static RULE: Rule = Rule {
     id: "interference",

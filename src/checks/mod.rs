@@ -1,6 +1,6 @@
 //! The checks of a frame against its limits: one rule a file, with its record and a struct for the measured numbers.
 //!
-//! Rules measure the assembled bodies, not the parameters that made them. Findings that keep their limit are reported too, with their
+//! Rules of place measure the assembled bodies, not the parameters that made them; those of hinges and of most hardware compare figures. Findings that keep their limit are reported too, with their
 //! margin. A new rule is a file with a `RULE`, and a line of [`CATALOGUE`].
 
 mod bounds;

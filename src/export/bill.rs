@@ -96,6 +96,8 @@ pub struct RodLine {
     pub material: String,
     /// Mass of all, g.
     pub mass_g: f64,
+    /// What says so: `computed`, or the extra that weighs them.
+    pub mass_basis: String,
 }
 
 /// A stock length and what is cut from it.
@@ -291,6 +293,7 @@ fn rod_lines(design: &Design, masses: &MassTable) -> Vec<RodLine> {
             sawn_mm: design.skeleton.sawn_mm(role),
             material: line.material.clone(),
             mass_g: line.total_g,
+            mass_basis: line.basis.clone(),
         })
     };
     masses.lines.iter().filter(|line| line.kind == LineKind::Rod).filter_map(line).collect()

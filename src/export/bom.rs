@@ -69,7 +69,7 @@ fn printed_row(line: &PrintLine) -> Row {
 }
 
 fn rod_row(line: &RodLine) -> Row {
-    let mut row = weighed("rod", &line.rod, line.quantity, &line.material, line.mass_g, "computed");
+    let mut row = weighed("rod", &line.rod, line.quantity, &line.material, line.mass_g, &line.mass_basis);
     row[4] = format!("{:.2}", line.length_mm);
     row[16] = format!("saw to {:.1}", line.sawn_mm);
     row

@@ -226,7 +226,7 @@ mod tests {
         // The motor stands on the diagonal; the controller hangs under the hub's middle.
         let position = frame("cognifly").motor_mount.motor_position_mm;
         let length = short.length_mm.expect("a length");
-        assert!(length > 1.15 * position + 30.0 && length < 1.15 * (position + 60.0) + 35.0, "{short:?}");
+        assert!(length > 1.15 * position + 30.0 && length < 1.15 * (position + 40.0) + 35.0, "{short:?}");
         assert_eq!(short.quantity, 12);
         assert!((length - long.length_mm.expect("a length") - 1.15 * 6.0).abs() <= ROUNDED_MM, "{short:?} {long:?}");
     }

@@ -103,7 +103,10 @@ impl Extra {
     pub const FIGURES: [Figure; 2] = [figure("mass_g", [0.0, 5000.0], "g"), figure("position_mm", [-500.0, 500.0], "mm")];
 }
 
-/// Refuses a typed figure that is out of its bounds; what is no number is left to the reader of the entry.
+/// Figures that are counts.
+const WHOLE: [&str; 3] = ["perimeters", "hole_count", "cells"];
+
+/// Refuses a typed figure that is out of its bounds, or a count with a fraction; what is no number is left to the reader of the entry.
 pub(super) fn within_bounds(figures: &[Figure], field: &str, file: &FrameFile, key: &str, value: &Value) -> Result<(), Refusal> {
     let Some(figure) = figures.iter().find(|figure| figure.key == field) else { return Ok(()) };
     let numbers: Vec<f64> = match value {
@@ -112,6 +115,10 @@ pub(super) fn within_bounds(figures: &[Figure], field: &str, file: &FrameFile, k
         _ => Vec::new(),
     };
     let Figure { min, max, unit, .. } = *figure;
+    if let Some(part) = numbers.iter().find(|value| WHOLE.contains(&field) && value.fract() != 0.0) {
+        let message = format!("`{key}` = {part} is no whole number");
+        return Err(file.refuse(key, Reason::Impossible { message, remedy: "give a whole number".into() }));
+    }
     match numbers.into_iter().find(|value| !(min..=max).contains(value)) {
         Some(value) => Err(file.refuse(key, Reason::OutOfBounds { key: key.into(), value, min, max, unit: unit.into() })),
         None => Ok(()),

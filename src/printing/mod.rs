@@ -6,5 +6,5 @@ pub mod heat;
 pub mod plates;
 pub mod print_time;
 pub mod printability;
-mod room;
+pub mod room;
 pub mod weighing;

@@ -74,6 +74,11 @@ pub(super) fn alone(part: &Printed, printer: &Printer) -> Option<Place> {
     places.into_iter().find(|place| lies_clear(place, part, printer, 0.0))
 }
 
+/// Whether a part has a place on the bed, alone and without its brim: as large as it needs, and clear of what the printer keeps clear.
+pub fn has_place(part: &Printed, printer: &Printer) -> bool {
+    alone(part, printer).is_some()
+}
+
 /// The middle of a box in the middle of a bed, and at its edges and corners, mm.
 fn along(bed_mm: [f64; 2], side_mm: [f64; 2]) -> impl Iterator<Item = [f64; 2]> {
     let at = move |axis: usize, share: f64| 0.5 * side_mm[axis] + share * (bed_mm[axis] - side_mm[axis]);
@@ -115,7 +120,7 @@ fn diameter_mm(printer: &Printer) -> f64 {
 }
 
 /// Largest distance of a point of the part from the middle of its box, in plan, mm.
-fn reach_mm(part: &Printed) -> f64 {
+pub fn reach_mm(part: &Printed) -> f64 {
     let [low, high] = part.mesh.bounds_mm();
     let middle = [0, 1].map(|axis| 0.5 * (low[axis] + high[axis]));
     let distance = |v: &[f32; 3]| libm::hypot(f64::from(v[0]) - middle[0], f64::from(v[1]) - middle[1]);

@@ -241,6 +241,9 @@ def accepted(kept):
         _, said = script("changes.py", repository, kept, "main", **variables)
         found = re.findall(r"margin of mass_budget.*\| ([^|]*) \|", said)
         result(f"changes.py: {branch} with {list(variables) or 'no list'} is told as {word}", found == [word], f"{listed.stdout}{listed.stderr}{said}")
+    git(repository, "checkout", "--quiet", "heavy")
+    _, said = script("changes.py", repository, kept, "HEAD", BASELINE="accepted.json")
+    result("changes.py: what is accepted in both revisions is no change", "mass_budget" not in said and "No mass and no margin" in said, said)
 
 
 def grown(kept):

@@ -65,6 +65,7 @@ const LAYERS: [(&str, &[&str]); 41] = [
             "frame/mounting",
             "printing/printability",
             "printing/heat",
+            "printing/room",
             "mechanics",
         ],
     ),

@@ -3,12 +3,13 @@
 //! On a rectangular bed the part may be turned by a right angle; on a round one its corners' distance from the middle
 //! of its box counts.
 
-use crate::checks::finding::Finding;
+use crate::checks::finding::{Finding, Verdict};
 use crate::checks::measure::Measure;
 use crate::checks::rule::{Blame, Found, InSearch, Levers, Limit, Pass, Rule};
 use crate::checks::scene::Scene;
 use crate::frame::assembly::Printed;
 use crate::params::catalogue::{Bed, Printer};
+use crate::printing::room::{has_place, reach_mm};
 
 const LEVERS: &[&str] = &["printer"];
 
@@ -16,7 +17,7 @@ pub static RULE: Rule = Rule {
     id: "printer_bed",
     title: "Printer's bed",
     requires: "each part fits the printer's bed",
-    units: &["mm"],
+    units: &["mm", "places"],
     limits: &[Limit::Printer],
     levers: Levers::Sets(&[LEVERS]),
     blame: Blame::Levers,
@@ -45,7 +46,7 @@ impl BedUse {
         let [long, wide] = [printer.size_mm[0].max(printer.size_mm[1]), printer.size_mm[0].min(printer.size_mm[1])];
         let mut uses = match printer.bed {
             Bed::Rectangular => vec![("length", x.max(y), long), ("width", x.min(y), wide)],
-            Bed::Round => vec![("diameter", diameter_mm(part), wide)],
+            Bed::Round => vec![("diameter", 2.0 * reach_mm(part), wide)],
         };
         uses.push(("height", z, printer.height_mm));
         let tight = uses.into_iter().min_by(|a, b| (a.2 - a.1).total_cmp(&(b.2 - b.1)));
@@ -62,17 +63,23 @@ impl BedUse {
     }
 }
 
-/// Twice the largest distance of a point of the part from the middle of its box, in plan, mm.
-fn diameter_mm(part: &Printed) -> f64 {
-    let [low, high] = part.mesh.bounds_mm();
-    let middle = [0, 1].map(|i| 0.5 * (low[i] + high[i]));
-    let radius = |v: &[f32; 3]| libm::hypot(f64::from(v[0]) - middle[0], f64::from(v[1]) - middle[1]);
-    2.0 * part.mesh.vertices.iter().map(radius).fold(0.0, f64::max)
+/// A part that the bed would be large enough for, but for what the printer keeps clear: places that are left for it, and how many it needs.
+fn kept_out(part: &Printed, printer: &Printer) -> Finding {
+    let (slug, kept) = (part.name.slug(), printer.kept_clear_mm.as_ref().map_or(0, Vec::len));
+    let areas =
+        if kept == 1 { "the area that the printer keeps clear".into() } else { format!("the {kept} areas that the printer keeps clear") };
+    let message =
+        format!("{slug} has no place on the bed, in its middle or at an edge, turned or not, that is clear of {areas} (kept_clear_mm)");
+    Measure { rule: RULE.id, value: 0.0, limit: 1.0, unit: "places", levers: LEVERS }.at_least(slug.into(), message)
 }
 
 pub(in crate::checks) fn check(scene: &Scene) -> Vec<Finding> {
     let printer = &scene.design.frame.printer;
-    scene.design.printed.iter().map(|part| BedUse::of(part, printer).finding()).collect()
+    let finding = |part: &Printed| {
+        let found = BedUse::of(part, printer).finding();
+        if found.verdict == Verdict::Violated || has_place(part, printer) { found } else { kept_out(part, printer) }
+    };
+    scene.design.printed.iter().map(finding).collect()
 }
 
 #[cfg(test)]
@@ -91,6 +98,15 @@ mod tests {
         frame.design.frame.printer.size_mm = [hub[0] + 1.0, hub[0] + 1.0];
         frame.design.frame.printer.bed = Bed::Round;
         assert!(violated(&frame.found(check)).iter().any(|f| f.subject == "hub"));
+        frame.design.frame.printer.bed = Bed::Rectangular;
+        frame.design.frame.printer.size_mm = [2.0 * hub[0]; 2];
+        // A stripe across the bed that leaves no room beside it.
+        frame.design.frame.printer.kept_clear_mm = Some(vec![[0.6 * hub[0], 0.0, 1.4 * hub[0], 2.0 * hub[0]]]);
+        let found = frame.found(check);
+        assert!(violated(&found).iter().any(|f| f.subject == "hub" && f.message.contains("kept_clear_mm")), "{found:?}");
+        assert!(violated(&found).iter().all(|f| f.subject != "knee"), "a small part has room beside it");
+        frame.design.frame.printer.kept_clear_mm = None;
+        frame.design.frame.printer.bed = Bed::Round;
         frame.design.frame.printer.height_mm = 1.0;
         assert_eq!(violated(&frame.found(check)).len(), frame.design.printed.len());
     }

@@ -67,7 +67,7 @@ impl ThinnestWall {
     pub fn of(design: &Design, part: &Printed) -> [Self; 2] {
         let printer = &design.frame.printer;
         let limit_mm = printer.nozzle_mm * printer.min_wall_nozzles;
-        let (layer_mm, reach_mm) = (printer.layer_mm(&design.material_of(part.name).material), REACH * limit_mm);
+        let (layer_mm, reach_mm) = (printer.layer_mm(&design.material_of(part.name).material), REACH * limit_mm.max(printer.line_mm()));
         let inputs = (part.flat.key(), part.print_pose, layer_mm, reach_mm);
         let [wall, gap] = *design.memo.get("walls", part.name.slug(), &inputs, || measured(part, layer_mm, reach_mm));
         let one = |gap, thinnest, limit_mm, levers| Self { part: part.name, gap, thinnest, limit_mm, levers };

@@ -1,6 +1,6 @@
 //! Numbers in the files of simulators.
 
-/// To nine significant digits, never minus zero: a part in a thousand million, which no mass or place is known to.
+/// To nine significant digits, never minus zero: within five parts in a thousand million, which no mass or place is known to.
 pub(super) fn rounded(value: f64) -> f64 {
     format!("{value:.8e}").parse::<f64>().unwrap_or(value) + 0.0
 }
@@ -22,9 +22,9 @@ mod tests {
 
     proptest! {
         #[test]
-        fn analytic_a_number_reads_back_within_a_part_in_a_thousand_million(value in -1e6..1e6_f64) {
+        fn analytic_a_number_reads_back_within_five_parts_in_a_thousand_million(value in -1e6..1e6_f64) {
             let read: f64 = number(value).parse().expect("a number");
-            prop_assert!((read - value).abs() <= 1e-8 * value.abs());
+            prop_assert!((read - value).abs() <= 5.001e-9 * value.abs());
             prop_assert!(number(value) != "-0");
         }
     }

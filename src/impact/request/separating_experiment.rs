@@ -15,7 +15,7 @@ pub struct SeparatingExperiment {
     pub what: String,
     /// From these heights, m.
     pub heights_m: Vec<f64>,
-    /// Drops from each height, by simulated experiments; `None` where two hundred are too few.
+    /// Drops from each height, by simulated experiments; `None` where two hundred are too few, or nothing is left to be seen.
     pub drops: Option<usize>,
 }
 
@@ -51,24 +51,25 @@ impl SeparatingExperiment {
         }
     }
 
-    /// As many drops as show a difference between two sessions that is as large as what the best model leaves.
+    /// As many drops as show a difference between two sessions that is as large as what the best model leaves, beyond the error of the mean wave itself.
     fn of_waves(with: &str, fitted: &Waves, diagnosis: &Diagnosis, seed: u64) -> Self {
-        let left = |height_m: f64| -> Vec<f64> {
-            let own = diagnosis.chosen_points.iter().filter(|point| point.height_m == height_m);
-            own.map(|point| point.measured_g - point.model_g).collect()
-        };
-        let size = |left: &[f64]| left.iter().map(|left| left * left).sum::<f64>() / left.len().max(1) as f64;
-        let each = fitted.groups.iter().map(|group| (group, left(group.height_m)));
-        let largest = each.max_by(|a, b| size(&a.1).total_cmp(&size(&b.1)));
-        let (drops, left_g) = largest.map_or((None, 0.0), |(group, left)| (drops_to_see(group, &left, seed), size(&left).sqrt()));
-        Self {
-            separates: format!("what the height does, and what differs between heights for another reason ({with})"),
-            what: format!(
+        let largest = fitted.groups.iter().map(|group| (group, Left::of(diagnosis, group.height_m)));
+        let largest = largest.max_by(|a, b| a.1.net_g.total_cmp(&b.1.net_g)).filter(|(_, left)| left.net_g > 0.0);
+        let drops = largest.as_ref().and_then(|(group, left)| drops_to_see(group, &left.wave_g, seed));
+        let what = match &largest {
+            Some((_, Left { net_g, .. })) => format!(
                 "in one session with one mounting, drop the frame {} times from each height, in mixed order: so many show a difference from \
-                 the drops at hand as large as what the best model leaves of them, {left_g:.1} g, in {:.0} % of simulated experiments",
+                 the drops at hand as large as what the best model leaves of them, {net_g:.1} g, in {:.0} % of simulated experiments",
                 count(drops),
                 1e2 * POWER
             ),
+            None => "in one session with one mounting, drop the frame from each height, in mixed order; how often cannot be said, as the best model \
+                     leaves no more than the errors of the mean waves"
+                .into(),
+        };
+        Self {
+            separates: format!("what the height does, and what differs between heights for another reason ({with})"),
+            what,
             heights_m: fitted.groups.iter().map(|group| group.height_m).collect(),
             drops,
         }
@@ -77,6 +78,26 @@ impl SeparatingExperiment {
     /// In two sentences.
     pub fn sentences(&self) -> [String; 2] {
         [format!("the drops cannot separate {}", self.separates), format!("what would separate them: {}", self.what)]
+    }
+}
+
+/// What the best model leaves of the mean wave of a height.
+struct Left {
+    /// Sample by sample, made as small as its size beyond the error of the mean wave, g.
+    wave_g: Vec<f64>,
+    /// That size: root of the mean square less that of the error, g; 0 where it is no larger.
+    net_g: f64,
+}
+
+impl Left {
+    fn of(diagnosis: &Diagnosis, height_m: f64) -> Self {
+        let own: Vec<_> = diagnosis.chosen_points.iter().filter(|point| point.height_m == height_m).collect();
+        let wave_g: Vec<f64> = own.iter().map(|point| point.measured_g - point.model_g).collect();
+        let square = |values: &mut dyn Iterator<Item = f64>| values.map(|value| value * value).sum::<f64>() / own.len().max(1) as f64;
+        let (all, error) = (square(&mut wave_g.iter().copied()), square(&mut own.iter().map(|point| point.error_g)));
+        let net_g = (all - error).max(0.0).sqrt();
+        let share = if all > 0.0 { net_g / all.sqrt() } else { 0.0 };
+        Self { wave_g: wave_g.into_iter().map(|left| share * left).collect(), net_g }
     }
 }
 

@@ -92,7 +92,7 @@ export function App() {
           ]}
           at={left}
         />
-        <div class="scroll" id="panel-left" role="tabpanel" aria-labelledby={`tab-${left.value}`} tabIndex={-1}>
+        <div class="scroll" id="panel-left" role="tabpanel" aria-labelledby={`tab-${left.value}`} tabIndex={0}>
           {left.value === "values" && isUnread.value && <LastGood />}
           {left.value === "values" ? <Parameters /> : <Source />}
         </div>
@@ -108,7 +108,7 @@ export function App() {
           Know the frame
         </h2>
         <Tabs name="What is known" panel="panel-right" tabs={PANELS} at={right} />
-        <div class="scroll" id="panel-right" role="tabpanel" aria-labelledby={`tab-${right.value}`} tabIndex={-1}>
+        <div class="scroll" id="panel-right" role="tabpanel" aria-labelledby={`tab-${right.value}`} tabIndex={0}>
           {results && <LastGood />}
           <Panel />
         </div>
@@ -138,7 +138,8 @@ function Picture() {
       <canvas
         ref={canvas}
         tabIndex={0}
-        role="img"
+        role="application"
+        aria-roledescription="three-dimensional picture"
         aria-label={`The frame ${frame.value?.name ?? ""}; arrow keys turn it, plus and minus zoom`}
       />
       <Selection />

@@ -71,8 +71,10 @@ export class EngineClient {
 
   #started(): Worker {
     const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module", name: this.name });
-    worker.onmessage = ({ data }: MessageEvent<Message>) => this.#hear(data);
-    worker.onerror = (event) => this.#fail(event.message || "the engine cannot be loaded");
+    // What an ended worker still says is not about its successor.
+    const own = () => this.#worker === worker;
+    worker.onmessage = ({ data }: MessageEvent<Message>) => own() && this.#hear(data);
+    worker.onerror = (event) => own() && this.#fail(event.message || "the engine cannot be loaded");
     void engineModule().then(
       (module) => worker.postMessage({ module } satisfies Start),
       () => undefined,

@@ -37,15 +37,16 @@ async function load(): Promise<WebAssembly.Module> {
 }
 
 /** The answer as soon as its head is there; reading it may take as long as it takes. */
-async function answered(url: string, tries: number): Promise<Response> {
+async function answered(url: string, tries: number, waitedMs = 0): Promise<Response> {
   const ending = new AbortController();
   const timer = setTimeout(() => ending.abort(), PATIENCE_MS);
   try {
     return await fetch(url, { signal: ending.signal });
   } catch (error) {
     if (!ending.signal.aborted) throw error;
-    if (tries <= 1) throw new Error(`${url}: no answer in ${(TRIES * PATIENCE_MS) / 1000} s`, { cause: error });
-    return await answered(url, tries - 1);
+    const waited = waitedMs + PATIENCE_MS;
+    if (tries <= 1) throw new Error(`${url}: no answer in ${waited / 1000} s`, { cause: error });
+    return await answered(url, tries - 1, waited);
   } finally {
     clearTimeout(timer);
   }

@@ -133,6 +133,12 @@ function bodiesOf({ subject, message, levers }: Finding, facts: BodyFacts[]): Se
   return new Set(drivers.flatMap(({ drives }) => drives));
 }
 
+/** Whether a lever has a field; those of tables that a file adds, such as `extras`, have none. */
+function isField(key: string): boolean {
+  const { parameters = [], choices = [] } = catalogue.value ?? {};
+  return [...parameters, ...choices].some((field) => field.key === key);
+}
+
 function Place({ finding }: { finding: Finding }) {
   const go = () => {
     const facts = viewer.value?.facts() ?? [];
@@ -156,11 +162,15 @@ function Place({ finding }: { finding: Finding }) {
       {finding.verdict === "violated" && finding.levers.length > 0 && (
         <p class="levers">
           Changed most directly by{" "}
-          {finding.levers.map((key) => (
-            <button key={key} type="button" class="link" onClick={() => showParameter(key)}>
-              {label(key)}
-            </button>
-          ))}
+          {finding.levers.map((key) =>
+            isField(key) ? (
+              <button key={key} type="button" class="link" onClick={() => showParameter(key)}>
+                {label(key)}
+              </button>
+            ) : (
+              <code key={key}>{key}</code>
+            ),
+          )}
         </p>
       )}
     </li>

@@ -21,6 +21,8 @@ const failure = signal<string | null>(null);
 const working = signal(false);
 
 let running: Promise<void> = Promise.resolve();
+/** Which frame is in the picture through the shown one. */
+let overlaid: string | null = null;
 let timer: ReturnType<typeof setTimeout> | undefined;
 
 // Compared when the panel is open and nothing was changed for a moment.
@@ -36,16 +38,22 @@ async function compare(against: Doc, of: Doc): Promise<void> {
   if (shownDoc.value !== of || before.value !== against) return;
   working.value = true;
   try {
+    if (overlaid !== identity(against)) await viewer.value?.overlay(null);
     const { handle } = await other.opened(against);
     const { files } = await checker.ask({ do: "files", handle, which: ["glb"] });
-    if (ghost.value && files[0]) await viewer.value?.overlay(files[0].bytes);
+    if (ghost.value && files[0]) {
+      await viewer.value?.overlay(files[0].bytes);
+      overlaid = identity(against);
+    }
     const now = await current.opened(of);
     const { answer } = await checker.ask<Difference>({ do: "difference", before: handle, after: now.handle });
     difference.value = { of: answer, before: identity(against), after: identity(of) };
     failure.value = null;
   } catch (error) {
-    if (!(error instanceof Refused || error instanceof Stopped)) throw error;
-    failure.value = error.message;
+    if (!(error instanceof Refused || error instanceof Stopped)) console.error(error);
+    failure.value = error instanceof Error ? error.message : String(error);
+    overlaid = null;
+    await viewer.value?.overlay(null);
   } finally {
     working.value = false;
   }

@@ -58,14 +58,16 @@ function takeChosen(input: HTMLInputElement): void {
 export async function takeDrops(given: { path: string; file: File }[]): Promise<void> {
   quiet();
   const taken: Attached = {};
-  let sum = 0;
+  // Drops lie in several folders, one a height; what could not be read is replaced.
+  const kept = reading.failure.value === null && !synthetic.value ? drops.value : {};
+  let sum = Object.values(kept).reduce((bytes, { length }) => bytes + length, 0);
   // A folder holds other things, too.
   const files = given.filter(({ path }) => !path.includes("/") || RECORDS.test(path));
   for (const { file } of files) {
     sum += file.size;
     if (sum > LARGEST_BYTES) {
       complain(
-        `${file.name} has ${Math.round(file.size / 1e6)} MB; all files together may have ${LARGEST_BYTES >> 20} MB. Nothing was read: give fewer drops at a time.`,
+        `With ${file.name} the drops have ${sum >> 20} MB; all files together may have ${LARGEST_BYTES >> 20} MB. Nothing was read: give fewer drops.`,
       );
       return;
     }
@@ -80,10 +82,8 @@ export async function takeDrops(given: { path: string; file: File }[]): Promise<
     complain(`This cannot be read: ${error instanceof Error ? error.message : String(error)}`);
     return;
   }
-  // Drops lie in several folders, one a height; what could not be read is replaced.
-  const more = reading.failure.value === null && !synthetic.value;
   synthetic.value = false;
-  await read(more ? { ...drops.value, ...taken } : taken);
+  await read({ ...kept, ...taken });
 }
 
 /** Forgets the drops that are open. */

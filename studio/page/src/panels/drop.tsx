@@ -49,7 +49,14 @@ effect(() => {
     timer = setTimeout(() => {
       last = asked ?? "";
       hideMotion("drop");
-      void work.run((onStage) => dropBoth(of, against, onStage));
+      void work
+        .run((onStage) => dropBoth(of, against, onStage))
+        .then(() => {
+          // The motion of what was dropped before, where somebody had it shown meanwhile.
+          hideMotion("drop");
+          // What failed is tried again when the panel is opened again.
+          if (work.failure.peek() !== null) last = "";
+        });
     }, 250);
   }
 });
@@ -224,6 +231,7 @@ export function Drop() {
           <div class="row">
             <button
               type="button"
+              disabled={work.running}
               onClick={async () => {
                 showPicture();
                 if (owner.value !== "drop") await showMotion("drop", motion, { slower: 5 });

@@ -12,8 +12,8 @@ const GROUPS: [string, string][] = [
 ];
 
 const SIDES = ["width", "depth", "height"];
-/** What is over its limit by less than this is rounded. */
-const FULL = 1.0005;
+/** How far a length may be off as it is measured, mm: what is over its limit by no more keeps it, as the rule says. */
+const MEASURING_MM = 0.005;
 
 const size = computed(() => {
   void shownPictures.value;
@@ -33,7 +33,10 @@ export function Gauges() {
   const width = of.values["limits.envelope_width_mm"] ?? 0;
   const limits = [width, of.values["limits.envelope_depth_mm"] ?? width, of.values["limits.envelope_height_mm"] ?? 0];
   const full = Math.max(budget, total);
-  const shares = (size.value ?? []).map((side, at) => side / (limits[at] || 1));
+  const sides = (size.value ?? []).map((side, at) => ({
+    share: side / (limits[at] || 1),
+    isOver: side > (limits[at] ?? 0) + MEASURING_MM,
+  }));
   return (
     <section class="gauges" aria-label="Mass and size">
       <figure class={total > budget ? "over" : ""} data-gauge="mass">
@@ -71,7 +74,7 @@ export function Gauges() {
         </p>
       </figure>
       {size.value && (
-        <figure class={shares.some((share) => share > FULL) ? "over" : ""} data-gauge="size">
+        <figure class={sides.some(({ isOver }) => isOver) ? "over" : ""} data-gauge="size">
           <figcaption>
             <b>{size.value.map((side) => short(side, 1)).join(" × ")} mm</b> of{" "}
             {limits.map((side) => short(side, 0)).join(" × ")}
@@ -84,10 +87,10 @@ export function Gauges() {
               .map((side, at) => `${SIDES[at]} ${short(side, 1)} mm of ${short(limits[at], 0)} mm`)
               .join(", ")}
           >
-            {shares.map((share, at) => (
+            {sides.map(({ share, isOver }, at) => (
               <rect
                 key={at}
-                class={share > FULL ? "bad" : "good"}
+                class={isOver ? "bad" : "good"}
                 x="0"
                 y={at * 4}
                 width={Math.min(200, 190 * share)}

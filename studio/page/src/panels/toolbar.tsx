@@ -62,7 +62,7 @@ export function Toolbar() {
   const [onBed, moving] = [stage.value === "bed", stage.value === "motion"];
   const bounds = sectionBounds();
   return (
-    <div class="toolbar" role="toolbar" aria-label="How the frame is shown">
+    <div class="toolbar" role="group" aria-label="How the frame is shown">
       <label>
         Show{" "}
         <select

@@ -23,9 +23,10 @@ export class Work<T> {
       });
       if (latest()) this.result.value = result;
     } catch (error) {
-      if (!(error instanceof Refused || error instanceof Stopped)) throw error;
+      if (!(error instanceof Refused || error instanceof Stopped)) console.error(error);
       const remedy = error instanceof Refused ? error.refused.remedy : null;
-      if (latest()) this.failure.value = inPageWords([error.message, remedy].filter(Boolean).join(" – "));
+      const message = error instanceof Error ? error.message : String(error);
+      if (latest()) this.failure.value = inPageWords([message, remedy].filter(Boolean).join(" – "));
     } finally {
       if (latest()) {
         this.running.value = false;
