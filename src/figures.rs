@@ -24,6 +24,11 @@ pub fn told_apart(value: f64, limit: f64, places: usize) -> [String; 2] {
     apart.unwrap_or_else(|| written(places))
 }
 
+/// To a thousandth, so that the last bits of a sum do not reach a file.
+pub fn to_thousandth(value: f64) -> f64 {
+    (value * 1000.0).round() / 1000.0
+}
+
 /// A number with so many significant digits, those before the point all written; below a thousandth with a power of ten.
 pub fn significant(value: f64, digits: usize) -> String {
     if value == 0.0 || !value.is_finite() {

@@ -13,6 +13,7 @@ use gltf::json::{Asset, Index, Mesh as GltfMesh, Root};
 use serde_json::{json, value::RawValue};
 
 use super::format::{ExportError, Exported, File, Format};
+use crate::figures::to_thousandth;
 use crate::frame::assembly::mass::{LineKind, MassLine, MassTable};
 use crate::frame::assembly::wire::Wire;
 use crate::frame::assembly::wires::wires;
@@ -56,7 +57,7 @@ pub fn frame(design: &Design, masses: &MassTable) -> Result<Vec<u8>, GlbError> {
         "frame": design.frame.name,
         "description": design.frame.description,
         "units": "metre; the frame's own axes, X right, Y front, Z up, hang below the node `frame`",
-        "total_mass_g": rounded(masses.total_g),
+        "total_mass_g": to_thousandth(masses.total_g),
     }))?;
     for shape in &design.shapes {
         file.add_shape(shape);
@@ -112,7 +113,7 @@ impl GlbFile {
             ..Material::default()
         };
         let mesh = self.add_coloured(&wire.name, silicone, &wire.mesh());
-        let facts = raw(&json!({ "kind": "wire", "role": wire.role, "length_mm": rounded(wire.length_mm()) }))?;
+        let facts = raw(&json!({ "kind": "wire", "role": wire.role, "length_mm": to_thousandth(wire.length_mm()) }))?;
         Ok(self.root.push(Node { mesh: Some(mesh), name: Some(wire.name.clone()), extras: Some(facts), ..Node::default() }))
     }
 
@@ -273,7 +274,7 @@ fn body_facts(design: &Design, body: &Body, masses: &MassTable) -> serde_json::V
         "kind": kind,
         "material": shape.material,
         "quantity": quantity,
-        "mass_each_g": mass.map(|line| rounded(line.each_g)),
+        "mass_each_g": mass.map(|line| to_thousandth(line.each_g)),
         "module": body.module.map(|module| crate::frame::skeleton::MODULE_NAMES[module]),
     })
 }
@@ -286,11 +287,6 @@ fn bought_line<'a>(masses: &'a MassTable, shape: &str) -> Option<&'a MassLine> {
 
 fn bodies_of(design: &Design, shape: usize) -> usize {
     design.bodies.iter().filter(|body| body.shape == shape).count()
-}
-
-/// To a thousandth, so that the last bits of a sum do not reach a file.
-fn rounded(value: f64) -> f64 {
-    (value * 1000.0).round() / 1000.0
 }
 
 fn raw(value: &serde_json::Value) -> Result<Box<RawValue>, serde_json::Error> {

@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use super::format::{File, SolidEntry};
+use crate::figures::to_thousandth;
 use crate::frame::assembly::compensated::Compensated;
 use crate::frame::assembly::mass::MassTable;
 use crate::frame::assembly::{Design, Shape};
@@ -128,7 +129,7 @@ pub fn manifest(design: &Design, meshes: &Compensated, masses: &MassTable, files
         generator: format!("flexframe {}", env!("CARGO_PKG_VERSION")),
         frame: frame.name.clone(),
         description: frame.description.clone(),
-        total_mass_g: rounded(masses.total_g),
+        total_mass_g: to_thousandth(masses.total_g),
         parts: part_entries(design, meshes, masses, files),
         rods: rod_entries(design, masses),
         bought: frame
@@ -206,10 +207,10 @@ fn part_entries(design: &Design, meshes: &Compensated, masses: &MassTable, files
             name: part.name.to_string(),
             quantity: part.part.quantity(),
             material: design.material_of(part.name).name.clone(),
-            volume_mm3: rounded(mesh.volume_mm3()),
-            design_volume_mm3: rounded(part.volume_mm3),
-            mass_g: rounded(mass_of(masses, part.name.slug())),
-            bbox_mm: mesh.size_mm().map(rounded),
+            volume_mm3: to_thousandth(mesh.volume_mm3()),
+            design_volume_mm3: to_thousandth(part.volume_mm3),
+            mass_g: to_thousandth(mass_of(masses, part.name.slug())),
+            bbox_mm: mesh.size_mm().map(to_thousandth),
             triangles: mesh.triangles.len(),
             files: files.iter().filter(|file| file.part == Some(part.name)).map(|file| file.path.clone()).collect(),
         })
@@ -225,29 +226,24 @@ fn rod_entries(design: &Design, masses: &MassTable) -> Vec<RodEntry> {
             name: role.slug().into(),
             quantity: design.skeleton.rods_of(*role).count() as u32,
             material: design.frame.rod_material.name.clone(),
-            length_mm: rounded(design.skeleton.length_mm(*role)),
-            sawn_mm: rounded(design.skeleton.sawn_mm(*role)),
+            length_mm: to_thousandth(design.skeleton.length_mm(*role)),
+            sawn_mm: to_thousandth(design.skeleton.sawn_mm(*role)),
             diameter_mm: design.frame.rods.rod_diameter_mm,
-            mass_g: rounded(mass_of(masses, &format!("{}_rod", role.slug()))),
+            mass_g: to_thousandth(mass_of(masses, &format!("{}_rod", role.slug()))),
         })
         .collect()
 }
 
 fn exact_entries(design: &Design) -> Vec<ExactEntry> {
     let entry = |shape: &Shape| {
-        let exact_volume_mm3 = rounded(shape.exact_mm3?);
-        Some(ExactEntry { name: shape.name.clone(), mesh_volume_mm3: rounded(shape.solid.volume_mm3()), exact_volume_mm3 })
+        let exact_volume_mm3 = to_thousandth(shape.exact_mm3?);
+        Some(ExactEntry { name: shape.name.clone(), mesh_volume_mm3: to_thousandth(shape.solid.volume_mm3()), exact_volume_mm3 })
     };
     design.shapes.iter().filter_map(entry).collect()
 }
 
 fn mass_of(masses: &MassTable, name: &str) -> f64 {
     masses.lines.iter().find(|line| line.name == name).map_or(0.0, |line| line.each_g)
-}
-
-/// To a thousandth.
-fn rounded(value: f64) -> f64 {
-    (value * 1000.0).round() / 1000.0
 }
 
 /// SHA-256 in hexadecimal.

@@ -74,6 +74,7 @@ const LAYERS: [(&str, &[&str]); 41] = [
         "export",
         &[
             "units",
+            "figures",
             "markdown",
             "params",
             "solid",

@@ -6,6 +6,7 @@ use super::shape;
 use super::shaped::Shaped;
 use super::writer::{Decimal, Id, Writer, length, list, string};
 use crate::export::colour::curved;
+use crate::figures::to_thousandth;
 
 /// How far vertices may lie beside the surfaces of their faces, mm, as every file states; see [`crate::solid::FLATNESS_MM`].
 const ACCURACY_MM: f64 = 1e-4;
@@ -115,7 +116,7 @@ impl Context {
 
 /// A share of one, to a thousandth.
 fn share(value: f64) -> Decimal {
-    length((value * 1000.0).round() / 1000.0)
+    length(to_thousandth(value))
 }
 
 fn origin(writer: &mut Writer) -> Id {

@@ -1,6 +1,7 @@
 //! A solid of a STEP file.
 
 use crate::export::format::{Made, SolidEntry};
+use crate::figures::to_thousandth;
 use crate::solid::Boundary;
 
 /// A named solid with its look.
@@ -22,7 +23,6 @@ impl Shaped {
 
     /// Its entry in the manifest.
     pub fn entry(&self, file: &str) -> SolidEntry {
-        let thousandth = |value: f64| (value * 1000.0).round() / 1000.0;
         SolidEntry {
             file: file.into(),
             name: self.name.clone(),
@@ -31,8 +31,8 @@ impl Shaped {
             faces: self.boundary.faces.len(),
             facets: self.facets(),
             pieces: self.boundary.pieces().len(),
-            volume_mm3: thousandth(self.boundary.volume_mm3()),
-            mesh_volume_mm3: thousandth(self.mesh_volume_mm3),
+            volume_mm3: to_thousandth(self.boundary.volume_mm3()),
+            mesh_volume_mm3: to_thousandth(self.mesh_volume_mm3),
         }
     }
 }
