@@ -207,7 +207,7 @@ fn measured_peaks_of_all_heights_are_met_by_the_programs_own_numbers() {
 /// A payload of half of the mass left the damper a light rest to brake: the peak was four times that of the beam model.
 #[test]
 fn regress_one_coordinate_has_the_peaks_of_the_beam_model() {
-    for name in ["cognifly", "cognifly-v8", "cognifly-bamboo"] {
+    for (name, ratio) in [("cognifly", 0.857), ("cognifly-v8", 0.827), ("cognifly-bamboo", 1.127)] {
         let design = Design::with(Frame::load(name).expect("the preset is valid").0, common::memo()).expect("closes");
         let (masses, settings) = (mass::table(&design), settings().for_material(&design.frame.flexible.material));
         let quarter = FrameModel::new(&design, &masses, &settings, Extent::Quarter).expect("has a model");
@@ -216,7 +216,7 @@ fn regress_one_coordinate_has_the_peaks_of_the_beam_model() {
         let reduced_g = simulate(&System::new(&one), 1.0, &SolverOptions::REPORT).peak_proper_g;
         let impact = Impact::new(&quarter, &settings, 1.0, &Run::default()).expect("is followed");
         let [beams_g, _] = impact.peak();
-        assert!((0.75..1.25).contains(&(reduced_g / beams_g)), "{name}: {reduced_g} g, {beams_g} g");
+        assert!((reduced_g / beams_g - ratio).abs() < 0.03, "{name}: {reduced_g} g, {beams_g} g");
     }
 }
 
