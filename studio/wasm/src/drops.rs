@@ -4,10 +4,10 @@ use flexframe::impact::body::DropBody;
 use flexframe::impact::diagnose::Stage;
 use flexframe::impact::effects::Model;
 use flexframe::impact::measured::{FileFormat, JudgedDrops, read_bytes};
+use flexframe::impact::request::DiagnosisRequest;
 use flexframe::impact::sim::{SolverOptions, System, Trace, check_heights, simulate};
 use flexframe::impact::synthetic::{Plan, records, table};
 use flexframe::params::ImpactFile;
-use flexframe::impact::request::DiagnosisRequest;
 use flexframe::report::data::{diagnosis_data, drop_data, measure_data};
 use serde_json::Value;
 
