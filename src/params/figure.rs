@@ -115,14 +115,14 @@ pub(super) fn within_bounds(figures: &[Figure], field: &str, file: &FrameFile, k
         _ => Vec::new(),
     };
     let Figure { min, max, unit, .. } = *figure;
+    if let Some(value) = numbers.iter().copied().find(|value| !(min..=max).contains(value)) {
+        return Err(file.refuse(key, Reason::OutOfBounds { key: key.into(), value, min, max, unit: unit.into() }));
+    }
     if let Some(part) = numbers.iter().find(|value| WHOLE.contains(&field) && value.fract() != 0.0) {
         let message = format!("`{key}` = {part} is no whole number");
         return Err(file.refuse(key, Reason::Impossible { message, remedy: "give a whole number".into() }));
     }
-    match numbers.into_iter().find(|value| !(min..=max).contains(value)) {
-        Some(value) => Err(file.refuse(key, Reason::OutOfBounds { key: key.into(), value, min, max, unit: unit.into() })),
-        None => Ok(()),
-    }
+    Ok(())
 }
 
 /// The numbers of a list, and of the lists in it.

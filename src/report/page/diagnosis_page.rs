@@ -1,5 +1,6 @@
 //! A diagnosis as a page to read.
 
+use super::landing_figures::figure;
 use super::landing_section;
 use crate::figures::{PARAMETER_DIGITS, hundredths, p_value, significant};
 use crate::frame::assembly::Design;
@@ -162,11 +163,11 @@ fn waves(diagnosis: &Diagnosis) -> Result<Vec<Block>, PlotError> {
     heights.dedup();
     for height_m in &heights {
         let caption = format!("Mean wave from {height_m} m with the model before and after.");
-        blocks.push(Block::figure(&format!("wave-{height_m}-m"), &wave_chart(diagnosis, *height_m), caption)?);
+        blocks.push(figure(&format!("wave-{height_m}-m"), &wave_chart(diagnosis, *height_m), caption)?);
     }
     for (when, points) in [("before", &diagnosis.base_points), ("after", &diagnosis.chosen_points)] {
         let caption = format!("Residual {when}, in standard errors of the mean wave.");
-        blocks.push(Block::figure(&format!("residual-{when}"), &residual_chart(when, points, &heights), caption)?);
+        blocks.push(figure(&format!("residual-{when}"), &residual_chart(when, points, &heights), caption)?);
     }
     Ok(blocks)
 }

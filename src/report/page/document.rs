@@ -4,7 +4,6 @@ use std::fmt::Write;
 
 use super::base64::base64;
 use crate::markdown::inert;
-use crate::report::chart::plot::{Chart, PlotError, files};
 
 /// A part of a page.
 pub enum Block {
@@ -34,17 +33,6 @@ pub enum Block {
         /// What it shows.
         caption: String,
     },
-}
-
-impl Block {
-    /// A chart as a figure.
-    ///
-    /// # Errors
-    /// When it cannot be drawn.
-    pub(super) fn figure(name: &str, chart: &impl Chart, caption: String) -> Result<Self, PlotError> {
-        let [(_, svg), _] = files(name, chart)?;
-        Ok(Self::Figure { name: name.into(), svg: String::from_utf8_lossy(&svg).into_owned(), caption })
-    }
 }
 
 const STYLE: &str = "body{font:16px/1.5 sans-serif;max-width:62rem;margin:2rem auto;padding:0 1rem;color:#111}\

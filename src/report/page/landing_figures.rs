@@ -8,7 +8,7 @@ use crate::impact::fit::BEFORE;
 use crate::impact::landing::{HeightSpread, LandingAssessment, ShownDrop};
 use crate::report::chart::bands::{BandLine, Bands};
 use crate::report::chart::lines::{Lines, Series};
-use crate::report::chart::plot::PlotError;
+use crate::report::chart::plot::{Chart, PlotError, files};
 
 const ACROSS: &str = "time from the sample before the trigger, ms";
 const UP: &str = "acceleration, g";
@@ -33,7 +33,7 @@ pub(super) fn figures(assessment: &LandingAssessment, diagnosis: &Diagnosis) -> 
             legend: SeriesLabelPosition::UpperRight,
         };
         let caption = format!("Mean wave from {height_m} m, the base model's, and the mean of landings with random slopes.");
-        blocks.push(Block::figure(&format!("landing-{height_m}-m"), &chart, caption)?);
+        blocks.push(figure(&format!("landing-{height_m}-m"), &chart, caption)?);
     }
     for (at, spread) in assessment.spreads.iter().enumerate() {
         let caption = format!(
@@ -41,21 +41,21 @@ pub(super) fn figures(assessment: &LandingAssessment, diagnosis: &Diagnosis) -> 
              drops is in the band and not in the lines.",
             spread.height_m
         );
-        blocks.push(Block::figure(&format!("landing-quartiles-{}-m", spread.height_m), &bands(spread, at, step_ms), caption)?);
+        blocks.push(figure(&format!("landing-quartiles-{}-m", spread.height_m), &bands(spread, at, step_ms), caption)?);
     }
     let caption = "Each drop whose feet were all seen: the foot opposite to the first touches after nearly the sum of the times of the two \
                    between. Times that had nothing to do with each other would fill the square.";
-    blocks.push(Block::figure("leg-touches", &touches(assessment), caption.into())?);
+    blocks.push(figure("leg-touches", &touches(assessment), caption.into())?);
     let caption = "Share of the drops whose opposite foot has touched, over the time from the first touch: as read, and of random slopes. A \
                    slope that does not grow with the fall would shift the curves of greater heights to the left.";
-    blocks.push(Block::figure("leg-times", &times(&assessment.spreads), caption.into())?);
+    blocks.push(figure("leg-times", &times(&assessment.spreads), caption.into())?);
     if let Some(shown) = &assessment.shown {
         let caption = format!(
             "Drop {} from {} m: its record, what its touches let expect, and the mean of its height. Upright lines are the touches, as read \
              from the lateral axes.",
             shown.trial, shown.height_m
         );
-        blocks.push(Block::figure("landing-drop", &drop(shown, step_ms), caption)?);
+        blocks.push(figure("landing-drop", &drop(shown, step_ms), caption)?);
     }
     Ok(blocks)
 }
@@ -156,4 +156,13 @@ fn drop(shown: &ShownDrop, step_ms: f64) -> Lines {
         left: Vec::new(),
         legend: SeriesLabelPosition::UpperRight,
     }
+}
+
+/// A chart as a figure of a page.
+///
+/// # Errors
+/// When it cannot be drawn.
+pub(super) fn figure(name: &str, chart: &impl Chart, caption: String) -> Result<Block, PlotError> {
+    let [(_, svg), _] = files(name, chart)?;
+    Ok(Block::Figure { name: name.into(), svg: String::from_utf8_lossy(&svg).into_owned(), caption })
 }
