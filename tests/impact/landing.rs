@@ -14,6 +14,7 @@ use flexframe::impact::measured::{self, DropSet, FileFormat, StaticTest};
 use flexframe::impact::request::{Compared, DiagnosisRequest, RequestError};
 use flexframe::impact::synthetic::{HeavyFeet, Landings, Plan, Stalls, SyntheticRecord, records};
 use flexframe::report::data::diagnosis_data;
+use flexframe::units::Angle;
 
 const LEVEL: Landings = Landings {
     rate_rad_s: 0.0,
@@ -37,6 +38,10 @@ fn plan(landings: Landings, seed: u64) -> Plan {
 
 /// Drops as they are read from a table.
 fn read(all: &[SyntheticRecord]) -> DropSet {
+    read_as(all, &FileFormat::default())
+}
+
+fn read_as(all: &[SyntheticRecord], format: &FileFormat) -> DropSet {
     let mut text = String::from("trial,height_m,t_s,accel_g,x,y,z\n");
     for record in all {
         let [x, y] = record.lateral_g.as_ref().expect("the plan has lateral axes");
@@ -44,7 +49,7 @@ fn read(all: &[SyntheticRecord]) -> DropSet {
             text += &format!("{},{},{t_s:.6},{accel_g:.5},{:.5},{:.5},{accel_g:.5}\n", record.trial, record.height_m, x[at], y[at]);
         }
     }
-    measured::read_bytes(&[("drops.csv".into(), text.into_bytes())], &FileFormat::default()).expect("reads")
+    measured::read_bytes(&[("drops.csv".into(), text.into_bytes())], format).expect("reads")
 }
 
 fn request<'a>(plan: &Plan, drops: &'a DropSet, axes: Option<ComparedAxes>) -> DiagnosisRequest<'a> {
@@ -259,7 +264,9 @@ fn planted_a_sensor_whose_axes_point_along_the_legs_is_told() {
     }
     let (told, compared) = diagnosed(&plan, &read(&turned));
     assert!(!compared.landing.expect("lateral axes were measured").decides());
-    assert!(told.contains("turn the lateral readings by 45 degrees"), "{told}");
+    assert!(told.contains("(`--turn 45`)"), "{told}");
+    let format = FileFormat { turn: Angle::deg(45.0), ..FileFormat::default() };
+    assert!(diagnosed(&plan, &read_as(&turned, &format)).1.landing.expect("lateral axes were measured").decides());
 }
 
 /// What needs a second height is not told as a number.
