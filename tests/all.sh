@@ -122,13 +122,13 @@ simulators_from_pypi() {
     "$python" -c "$imports" >/dev/null 2>&1
 }
 
-# A program of finite elements, and the library of the system that it needs.
+# A program of finite elements, and the libraries of the system that it needs.
 opensees_from_pypi() {
     [[ -x $python ]] || from_pypi || return
     "$python" -c 'import openseespy.opensees' >/dev/null 2>&1 && return
     echo "installing openseespy"
     "$python" -m pip install --quiet --disable-pip-version-check openseespy==3.7.1.2 >>"$work/pip.log" 2>&1 || true
-    "$python" -c 'import openseespy.opensees' >/dev/null 2>&1 || from_debian "" libblas3 || true
+    "$python" -c 'import openseespy.opensees' >/dev/null 2>&1 || from_debian "" libblas3 libquadmath0 || true
     "$python" -c 'import openseespy.opensees' >/dev/null 2>&1
 }
 
