@@ -12,11 +12,11 @@ use crate::units::GRAVITY_M_S2;
 
 /// Drag over mass beyond which no body of this size and mass is, 1/m: that of the effect `air_drag`.
 const MOST_1_M: f64 = 0.2;
-/// Standard errors from which on drag is not nothing.
+/// Standard errors from which on drag is not nothing: a choice.
 const SURE: f64 = 3.0;
-/// Fewest falls whose scatter says how sure they are.
+/// Fewest falls whose scatter says how sure they are: a choice.
 const FEWEST: usize = 5;
-/// Shortest part of a fall that says where zero is, s: several times as long as what is compared, as zero is taken off all of it.
+/// Shortest part of a fall that says where zero is, s: more than twice as long as what is compared, as an error of zero stands in all of that.
 const LEAST_S: f64 = 0.08;
 
 /// What falls read of drag.

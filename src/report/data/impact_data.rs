@@ -162,7 +162,7 @@ fn row(impact: &Impact, mass_g: f64) -> String {
     )
 }
 
-/// Energy that the computation loses or makes, part of that of the impact, beyond which it is told: about what a rebound has.
+/// Energy that the computation loses or makes, part of that of the impact, beyond which it is told: a choice, near the 7 % that a rebound has.
 const MOST_OPEN: f64 = 0.05;
 
 /// A drop whose contact goes on where the computation ends.
