@@ -13,7 +13,7 @@ use crate::variant::{Ended, SearchProgress};
 /// Limits of a search.
 #[derive(Debug, clap::Args)]
 pub(super) struct SearchOptions {
-    /// Largest number of frames to evaluate.
+    /// Largest number of frames to evaluate; a dozen more may be checked by every rule at the end.
     #[arg(long, default_value_t = 150, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=5000))]
     pub frames: u16,
     /// Longest time, such as 90s, 10m or 2h; the answer is then the best so far, and depends on the machine's speed.

@@ -30,6 +30,8 @@ pub struct Material {
     pub density_g_cm3: f64,
     /// Mass of a finished part over volume times density.
     pub print_factor: f64,
+    /// Whether the dust of cut rods harms who breathes it; taken to be so where it is not stated.
+    pub dust_harms: Option<bool>,
     /// Linear red, green, blue, alpha, 0 to 1.
     pub colour: [f32; 4],
     /// Where the density comes from.

@@ -87,7 +87,8 @@ fn extras() -> Value {
     json!({
         "type": "object",
         "description": "Masses that no bought part stands for, each with a source.",
-        "additionalProperties": catalogue::extra(),
+        // What is missing may stand in a base, too.
+        "additionalProperties": catalogue::partial(catalogue::extra()),
     })
 }
 

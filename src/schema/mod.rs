@@ -1,4 +1,4 @@
-//! JSON Schemas (draft 7) of every kind of input file, generated from the tables that the readers use. Editors that support `#:schema`
+//! JSON Schemas (draft 7) of input files, generated from the tables that the readers use; plans of studies and settings of the mechanics have none. Editors that support `#:schema`
 //! complete and check files with them. A schema describes each key. Contradictions between keys are found by the program only.
 
 mod catalogue;

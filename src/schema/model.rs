@@ -4,7 +4,7 @@ use serde_json::{Map, Value, json};
 
 use super::element::{number, put, table};
 use crate::impact::effects::{CATALOGUE, CHANNEL, CURVE, PLAIN_NUMBERS, POINTS, REACH_MM, channel_words};
-use crate::impact::synthetic::{HEIGHT_BOUNDS_M, HEIGHTS, HIDDEN_NUMBERS, Hidden, KIND, LAW, PLAN_NUMBERS, ScatterLaw};
+use crate::impact::synthetic::{HEIGHT_BOUNDS_M, HEIGHTS, Hidden, KIND, LAW, PLAN_NUMBERS, PlanNumber, ScatterLaw};
 
 pub(super) fn schema() -> Value {
     closed(keys(), &["mass_kg", "gap_mm", "sensor", "effects"])
@@ -12,11 +12,8 @@ pub(super) fn schema() -> Value {
 
 pub(super) fn plan() -> Value {
     let mut root = keys();
-    for (key, bounds, unit, default) in PLAN_NUMBERS {
-        put(&mut root, key, number("", unit, bounds, Some(default)));
-    }
-    for (key, bounds, unit) in HIDDEN_NUMBERS {
-        put(&mut root, key, number("", unit, bounds, None));
+    for PlanNumber { key, bounds, unit, default } in PLAN_NUMBERS {
+        put(&mut root, key, number("", unit, bounds, default));
     }
     put(&mut root, LAW, json!({ "enum": ScatterLaw::NAMES, "description": "Size of the noise of the readings." }));
     put(&mut root, KIND, json!({ "enum": Hidden::NAMES, "description": "Effect outside the catalogue." }));

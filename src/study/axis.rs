@@ -12,8 +12,8 @@ pub enum Axis {
     Number(Vary),
     /// A number from a table.
     Listed(&'static Parameter),
-    /// A number that is no parameter of a frame, or none, by its key.
-    Stated(&'static str),
+    /// A number that is no parameter, or none, by its key.
+    Stated(String),
     /// A name out of several.
     Name {
         /// The key with its table.
@@ -57,8 +57,7 @@ impl Axis {
         match self {
             Self::Number(vary) => vary.key(),
             Self::Listed(parameter) => format!("{}.{}", parameter.table, parameter.key),
-            Self::Stated(key) => (*key).into(),
-            Self::Name { key, .. } => key.clone(),
+            Self::Stated(key) | Self::Name { key, .. } => key.clone(),
         }
     }
 

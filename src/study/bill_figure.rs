@@ -1,7 +1,7 @@
 //! Figures of a frame's bill of materials that a study can say of each row.
 
 use crate::export::bill::{Bill, BuyLine, bill};
-use crate::variant::Evaluation;
+use crate::variant::{Better, Evaluation};
 
 /// A figure of the bill.
 pub struct BillFigure {
@@ -9,14 +9,16 @@ pub struct BillFigure {
     pub name: &'static str,
     /// Its unit; of a price, the currency of the catalogue.
     pub unit: &'static str,
+    /// Whether less of it is better.
+    pub better: Better,
     of: fn(&Bill) -> Option<f64>,
 }
 
 /// Every figure of the bill.
 pub static BILL_FIGURES: [BillFigure; 3] = [
-    BillFigure { name: "price.bought", unit: "", of: price },
-    BillFigure { name: "price.unknown", unit: "", of: |bill| Some(unknown(bill) as f64) },
-    BillFigure { name: "print.time", unit: "h", of: |bill| bill.print_h },
+    BillFigure { name: "price.bought", unit: "", better: Better::Less, of: price },
+    BillFigure { name: "price.unknown", unit: "", better: Better::Neither, of: |bill| Some(unknown(bill) as f64) },
+    BillFigure { name: "print.time", unit: "h", better: Better::Less, of: |bill| bill.print_h },
 ];
 
 impl BillFigure {

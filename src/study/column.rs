@@ -3,7 +3,7 @@
 use super::bill_figure::{BILL_FIGURES, BillFigure};
 use super::recovery::RecoveryMeasure;
 use crate::checks::{CATALOGUE, Rule, Verdict};
-use crate::variant::{Evaluation, MEASURES, Measure, caveats};
+use crate::variant::{Better, Evaluation, MEASURES, Measure, caveats};
 
 /// A column of figures.
 #[derive(Clone, Copy)]
@@ -48,6 +48,15 @@ impl Column {
             Self::Violations => "",
             Self::Bill(figure) => figure.unit,
             Self::Recovery(measure) => measure.unit,
+        }
+    }
+
+    /// Whether less of it is better, or more.
+    pub fn better(&self) -> Better {
+        match self {
+            Self::Measure(measure) => measure.better,
+            Self::Bill(figure) => figure.better,
+            Self::Margin(_) | Self::Violations | Self::Recovery(_) => Better::Neither,
         }
     }
 

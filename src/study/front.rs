@@ -3,7 +3,7 @@
 use super::column::Column;
 use super::outcomes::Outcomes;
 use super::plan::Study;
-use crate::variant::{Better, Measure};
+use crate::variant::Better;
 
 /// There is no front of these goals.
 #[derive(Debug, thiserror::Error, PartialEq, Eq)]
@@ -16,14 +16,19 @@ pub enum FrontError {
         /// The measures that can be goals.
         known: String,
     },
+    /// It is said of each row, and neither end of it is the better one.
+    #[error("neither less nor more of `{name}` is better, so it is no goal; of the study's measures {known} can be goals")]
+    NoBetterEnd {
+        /// What was asked for.
+        name: String,
+        /// The measures that can be goals.
+        known: String,
+    },
 }
 
-/// The measures of a study that are better when they are less, or more.
-fn goals(study: &Study) -> impl Iterator<Item = (usize, &'static Measure)> {
-    study.columns.iter().enumerate().filter_map(|(at, column)| match column {
-        Column::Measure(measure) if measure.better != Better::Neither => Some((at, *measure)),
-        _ => None,
-    })
+/// The columns of a study that are better when they are less, or more.
+fn goals(study: &Study) -> Vec<(usize, Column)> {
+    study.columns.iter().copied().enumerate().filter(|(_, column)| column.better() != Better::Neither).collect()
 }
 
 /// The rows of which no other keeps every limit that the study looks at and is better in one of the goals and in none worse, by the
@@ -32,12 +37,17 @@ fn goals(study: &Study) -> impl Iterator<Item = (usize, &'static Measure)> {
 /// # Errors
 /// When the study does not have a goal among its columns.
 pub fn front(study: &Study, outcomes: &Outcomes, names: &[String]) -> Result<Vec<(usize, Vec<f64>)>, FrontError> {
-    let known: Vec<(usize, &'static Measure)> = goals(study).collect();
+    let known = goals(study);
     let mut wanted = Vec::new();
     for name in names {
-        let found = known.iter().find(|(_, measure)| measure.name == name);
-        let listed = || known.iter().map(|(_, measure)| measure.name).collect::<Vec<_>>().join(", ");
-        wanted.push(found.ok_or_else(|| FrontError::NoSuchGoal { name: name.clone(), known: listed() })?);
+        let listed = || known.iter().map(|(_, column)| column.name()).collect::<Vec<_>>().join(", ");
+        wanted.push(match known.iter().find(|(_, column)| column.name() == *name) {
+            Some(found) => found,
+            None if study.columns.iter().any(|column| column.name() == *name) => {
+                return Err(FrontError::NoBetterEnd { name: name.clone(), known: listed() });
+            }
+            None => return Err(FrontError::NoSuchGoal { name: name.clone(), known: listed() }),
+        });
     }
     let counted = study.columns.iter().position(|column| matches!(column, Column::Violations));
     let keeps = |row: usize| counted.is_none_or(|at| outcomes.figure(row, at) == Some(0.0));
@@ -45,8 +55,8 @@ pub fn front(study: &Study, outcomes: &Outcomes, names: &[String]) -> Result<Vec
     let mut candidates: Vec<(usize, Vec<f64>)> =
         (0..study.rows()).filter(|row| keeps(*row)).filter_map(|row| Some((row, of_row(row)?))).collect();
     let worth = |figures: &[f64]| -> Vec<f64> {
-        let sign = |measure: &Measure| if measure.better == Better::More { -1.0 } else { 1.0 };
-        wanted.iter().zip(figures).map(|((_, measure), figure)| sign(measure) * figure).collect()
+        let sign = |column: &Column| if column.better() == Better::More { -1.0 } else { 1.0 };
+        wanted.iter().zip(figures).map(|((_, column), figure)| sign(column) * figure).collect()
     };
     candidates.sort_by(|(a_row, a), (b_row, b)| {
         let (a, b) = (worth(a), worth(b));
@@ -108,5 +118,7 @@ mod tests {
     fn planted_a_goal_that_the_study_does_not_have_is_named() {
         let error = front(&study(3), &Outcomes::none(3), &["peak".to_string()]).expect_err("is none");
         assert!(error.to_string().contains("of its measures mass, clearance.propeller can be goals"), "{error}");
+        let error = front(&study(3), &Outcomes::none(3), &["violations".to_string()]).expect_err("is no goal");
+        assert!(error.to_string().starts_with("neither less nor more of `violations` is better"), "{error}");
     }
 }

@@ -7,6 +7,7 @@ mod axis;
 mod bill_figure;
 mod column;
 mod evaluate;
+mod frame_key;
 mod front;
 mod journal;
 mod outcomes;

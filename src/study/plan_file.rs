@@ -6,8 +6,9 @@ use std::sync::Arc;
 
 use super::axis::{Axis, twice};
 use super::column::Column;
+use super::frame_key::{refused_name, varies};
 use super::plan::{Frames, Study, Subject};
-use super::plan_keys::{impossible, named, none_of, only_known, text, whole};
+use super::plan_keys::{each_once, impossible, named, none_of, only_known, text, whole};
 use super::recovery;
 use super::samples::samples;
 use super::sampling::{Layers, NAMES, SOBOL_DIMENSIONS, Sampling, most_rows};
@@ -16,8 +17,8 @@ use crate::mechanics::settings::MechanicsSettings;
 use crate::params::files::Files;
 use crate::params::frame_file::{Entry, Value};
 use crate::params::lookup::lookup;
-use crate::params::refusal::{Reason, Refusal};
-use crate::params::{Frame, FrameFile, ImpactFile, LoadError};
+use crate::params::refusal::Refusal;
+use crate::params::{Frame, FrameFile, ImpactFile, LoadError, parameters};
 use crate::variant::Vary;
 
 /// Rows of a plan that does not say how many.
@@ -61,12 +62,15 @@ fn of_frames(file: ImpactFile, folder: &Path, files: &dyn Files) -> Result<Study
     let columns = columns(&file)?;
     let mechanics_path = text(&file, "mechanics")?.map(|path| beside(folder, path));
     let asks_mechanics = columns.iter().any(Column::is_mechanics);
+    if !asks_mechanics {
+        none_of(&file, &["mechanics"], "measures that need no mechanics")?;
+    }
     let mechanics = asks_mechanics.then(|| MechanicsSettings::load(mechanics_path.as_deref())).transpose()?;
     let (axes, sampling, listed) = match text(&file, "table")? {
         Some(table) => {
-            none_of(&file, &["sampling", "samples", "points"], "a table")?;
+            none_of(&file, &["sampling", "samples", "points", "seed"], "a table")?;
             let listed = read(&beside(folder, table), files)?;
-            let (axes, rows) = samples(&file, &listed)?;
+            let (axes, rows) = samples(&file, &listed, &base, &frame)?;
             (axes, Sampling::Table { rows: Arc::new(rows) }, listed)
         }
         None => {
@@ -132,8 +136,10 @@ fn columns(file: &ImpactFile) -> Result<Vec<Column>, Refusal> {
 fn axes(file: &ImpactFile, base: &FrameFile, frame: &Frame) -> Result<Vec<Axis>, Refusal> {
     let (mut axes, mut names): (Vec<Axis>, usize) = (Vec::new(), 0);
     for key in file.entries.keys().filter(|key| key.starts_with("vary.")) {
-        axes.push(number_axis(file, key)?);
+        axes.push(number_axis(file, key, frame)?);
     }
+    // However keys are written: the same plan has the same rows.
+    axes.sort_by_cached_key(|axis| parameters().position(|parameter| axis.key() == format!("{}.{}", parameter.table, parameter.key)));
     for key in file.entries.keys().filter(|key| key.starts_with("choose.")) {
         axes.push(name_axis(file, key, base, &mut names)?);
     }
@@ -148,10 +154,11 @@ fn axes(file: &ImpactFile, base: &FrameFile, frame: &Frame) -> Result<Vec<Axis>,
     Ok(axes)
 }
 
-fn number_axis(file: &ImpactFile, key: &str) -> Result<Axis, Refusal> {
+fn number_axis(file: &ImpactFile, key: &str, frame: &Frame) -> Result<Axis, Refusal> {
     let typed = key.strip_prefix("vary.").unwrap_or(key);
     let parameter = lookup(typed)
         .map_err(|error| file.refuse(key, impossible(error.to_string(), "`flexframe params` lists the keys of numbers".into())))?;
+    varies(file, key, parameter, frame)?;
     let no_range = || {
         let message = format!("`{key}` is no range");
         file.refuse(key, impossible(message, format!("give [LEAST, MOST] within {} to {}", parameter.min, parameter.max)))
@@ -175,16 +182,10 @@ fn name_axis(file: &ImpactFile, key: &str, base: &FrameFile, before: &mut usize)
         let message = format!("the axes have more than {MOST_NAMES} names");
         return Err(file.refuse(key, impossible(message, "leave some out, or give a table of samples".into())));
     }
+    each_once(file, key, &names)?;
     for name in &names {
-        let mut with = base.clone();
-        with.ask(&of_frame, Value::Text(name.clone()), format!("{key} = {name}"));
-        if let Err(refusal) = Frame::resolve(&with)
-            && matches!(
-                *refusal.reason,
-                Reason::UnknownKey { .. } | Reason::UnknownName { .. } | Reason::WrongKind { .. } | Reason::WrongType { .. }
-            )
-        {
-            return Err(file.refuse(key, *refusal.reason));
+        if let Some(reason) = refused_name(base, &of_frame, Value::Text(name.clone()), format!("{key} = {name}")) {
+            return Err(file.refuse(key, reason));
         }
     }
     Ok(Axis::Name { key: of_frame, names })
@@ -192,7 +193,8 @@ fn name_axis(file: &ImpactFile, key: &str, base: &FrameFile, before: &mut usize)
 
 fn sampling(file: &ImpactFile, axes: &[Axis]) -> Result<Sampling, Refusal> {
     let name = NAMES[file.word("sampling", &NAMES)?];
-    none_of(file, &[if name == "grid" { "samples" } else { "points" }], &format!("sampling = \"{name}\""))?;
+    let idle: &[&str] = if name == "grid" { &["samples", "seed"] } else { &["points"] };
+    none_of(file, idle, &format!("sampling = \"{name}\""))?;
     let least = if name == "saltelli" { LEAST_GROUPS } else { 1 };
     let samples = whole(file, "samples", [least as f64, most_rows(name) as f64])?.unwrap_or(SAMPLES);
     let dimensions = if name == "saltelli" { 2 * axes.len() } else { axes.len() };

@@ -32,6 +32,17 @@ pub(super) fn none_of(file: &ImpactFile, keys: &[&str], what: &str) -> Result<()
     }
 }
 
+/// Refuses a list that has something twice: it would count twice in every figure.
+pub(super) fn each_once<T: PartialEq + std::fmt::Display>(file: &ImpactFile, key: &str, values: &[T]) -> Result<(), Refusal> {
+    match (0..values.len()).find(|at| values[..*at].contains(&values[*at])) {
+        Some(at) => {
+            let message = format!("`{key}` has {} twice", values[at]);
+            Err(file.refuse(key, impossible(message, "state each once".into())))
+        }
+        None => Ok(()),
+    }
+}
+
 /// A text, where it is stated.
 pub(super) fn text(file: &ImpactFile, key: &str) -> Result<Option<String>, Refusal> {
     match file.entries.get(key).map(|entry| &entry.value) {

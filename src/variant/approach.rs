@@ -5,10 +5,10 @@
 //! ranked, and checked by every rule.
 
 use super::feasible::find;
-use super::improve::{improve, settle};
+use super::improve::{NEARLY, improve, settle};
 use super::problem::SearchProblem;
 use super::search::{Point, Search, ranked};
-use crate::params::Frame;
+use super::sketch::Known;
 
 /// The most rounds.
 const ROUNDS: usize = 6;
@@ -18,13 +18,13 @@ const SKETCHES: usize = 150;
 const OFF: f64 = 0.05;
 const TIGHT: f64 = 1.0;
 
-/// Follows sketches, the first of them by a frame that is known, from these values; says whether it ended with a frame that keeps everything and
+/// Follows sketches, the first of them by what is known of a frame, from these values; says whether it ended with a frame that keeps everything and
 /// that sketches by it would not better.
-pub(super) fn approach(search: &Search, first: &Frame, from: &[f64]) -> bool {
+pub(super) fn approach(search: &Search, first: Option<Known>, from: &[f64]) -> bool {
     if search.problem().mechanics.is_some() {
         return false;
     }
-    let (mut here, mut known) = (from.to_vec(), search.known_of(first.clone()));
+    let (mut here, mut known) = (from.to_vec(), first);
     for round in 0..ROUNDS {
         let Some(by) = known.take().filter(|_| search.left() > 0) else { return false };
         // Sketches do not count: who follows the search hears of its frames, and may end it between any two sketches.
@@ -34,9 +34,9 @@ pub(super) fn approach(search: &Search, first: &Frame, from: &[f64]) -> bool {
         let sketches = search.of_sketches(&problem, by);
         find(&sketches, &here);
         if round == 0 {
-            improve(&sketches);
+            improve(&sketches, sketches.left());
         }
-        settle(&sketches);
+        settle(&sketches, sketches.left(), &[NEARLY]);
         if sketches.is_ended() {
             search.end();
         }

@@ -2,8 +2,11 @@
 //!
 //! Each combination of names is first looked at with the numbers of the frame as it is. The search then follows the nearest few.
 
+use rayon::prelude::*;
+
 use super::ended::Ended;
 use super::problem::{SearchProblem, Solution, SolveError};
+use super::search::{AT_ONCE, Point};
 use super::solve::{before, solve};
 use crate::params::FrameFile;
 use crate::params::frame_file::Value;
@@ -38,22 +41,14 @@ pub fn choose(problem: &SearchProblem, choices: &[NameChoice]) -> Result<Chosen,
     if choices.is_empty() {
         return solve(problem).map(|solution| Chosen { names: Vec::new(), refused: Vec::new(), solution });
     }
-    let combinations = combinations(choices);
-    if 2 * combinations.len() > problem.most {
-        let (count, most) = (combinations.len(), problem.most);
+    let count = choices.iter().fold(1_usize, |count, choice| count.saturating_mul(choice.names.len()));
+    if count > problem.most / 2 {
+        let count = if count == usize::MAX { "more than can be counted".into() } else { count.to_string() };
+        let most = problem.most;
         return Err(SolveError::Problem(format!("--choose has {count} combinations, and half of {most} frames are fewer; raise --frames")));
     }
-    let mut looked_at = 0;
-    let (mut begun, mut refused_names) = (Vec::new(), Vec::new());
-    for names in combinations {
-        let file = with(problem.file, &names);
-        let at_start = before(&SearchProblem { file: &file, ..problem.clone() });
-        looked_at += 1;
-        match at_start {
-            Ok(order) => begun.push((order, names, file)),
-            Err(reason) => refused_names.push(format!("{}: {reason}", in_words(&names))),
-        }
-    }
+    let Begun { each: mut begun, refused: refused_names } = Begun::of(problem, choices);
+    let mut looked_at = begun.len() + refused_names.len();
     begun.sort_by(|(a, ..), (b, ..)| a.order(b));
     let each = (problem.most - looked_at) / FOLLOWED.min(begun.len()).max(1);
     let (mut best, mut refused): (Option<Chosen>, Option<SolveError>) = (None, None);
@@ -72,10 +67,15 @@ pub fn choose(problem: &SearchProblem, choices: &[NameChoice]) -> Result<Chosen,
                 }
             }
             Err(error) => {
-                if let SolveError::Infeasible { looked_at: count, .. } = &error {
+                let mut stopped = false;
+                if let SolveError::Infeasible { looked_at: count, ended, .. } = &error {
                     looked_at += count;
+                    stopped = *ended == Ended::Stopped;
                 }
                 refused = Some(refused.unwrap_or(error));
+                if stopped {
+                    break;
+                }
             }
         }
     }
@@ -93,10 +93,49 @@ pub fn choose(problem: &SearchProblem, choices: &[NameChoice]) -> Result<Chosen,
     }
 }
 
+/// Combinations that were looked at with the numbers of the frame as it is.
+struct Begun {
+    /// What is known of each, its names, and the file with them.
+    each: Vec<(Point, Names, FrameFile)>,
+    /// Those that the frame refuses, in words, with the reason.
+    refused: Vec<String>,
+}
+
+/// A key and its name, for each key.
+type Names = Vec<(String, String)>;
+
+impl Begun {
+    /// Side by side; until somebody ends the search.
+    fn of(problem: &SearchProblem, choices: &[NameChoice]) -> Self {
+        let mut begun = Self { each: Vec::new(), refused: Vec::new() };
+        for group in combinations(choices).chunks(AT_ONCE) {
+            let look = |names: &Names| {
+                let file = with(problem.file, names);
+                (before(&SearchProblem { file: &file, ..problem.clone() }), file)
+            };
+            let looked: Vec<_> = group.par_iter().map(look).collect();
+            let mut is_ended = false;
+            for (names, (at_start, file)) in group.iter().zip(looked) {
+                match at_start {
+                    Ok((point, ended)) => {
+                        is_ended |= ended;
+                        begun.each.push((point, names.clone(), file));
+                    }
+                    Err(reason) => begun.refused.push(format!("{}: {reason}", in_words(names))),
+                }
+            }
+            if is_ended {
+                break;
+            }
+        }
+        begun
+    }
+}
+
 /// Every way to choose a name for each key.
-fn combinations(choices: &[NameChoice]) -> Vec<Vec<(String, String)>> {
+fn combinations(choices: &[NameChoice]) -> Vec<Names> {
     choices.iter().fold(vec![Vec::new()], |all, choice| {
-        let longer = |begun: &Vec<(String, String)>| {
+        let longer = |begun: &Names| {
             let begun = begun.clone();
             choice.names.iter().map(move |name| [begun.clone(), vec![(choice.key.clone(), name.clone())]].concat())
         };

@@ -37,7 +37,7 @@ pub struct Request<'a> {
 pub struct Moved {
     /// Its key with its table.
     pub key: String,
-    /// In the frame that it came from.
+    /// In the frame with what is asked for, before anything else moves.
     pub before: f64,
     /// In the new one.
     pub after: f64,

@@ -4,7 +4,7 @@
 //! long and a short one. Where both fail the region shrinks, and planes that were corrected often are made anew.
 
 use super::aim::Aim;
-use super::planes::Planes;
+use super::planes::{Planes, Side};
 use super::search::Search;
 
 /// The first region where nothing is known of a good one, the largest, and the least, in shares of the bounds.
@@ -19,13 +19,13 @@ const SHORTER: f64 = 0.3;
 const REACH: f64 = 0.25;
 
 /// Follows the planes from values that were looked at, first within a region, with no more than this many frames; ends when a frame keeps
-/// everything where that is all that is asked for.
+/// everything where that is all that is asked for. Where nothing is left to follow, the planes are made once more, by differences on the other side.
 pub(super) fn descend(search: &Search, start: &[f64], region: f64, most: usize, feasible_is_enough: bool) {
     let budget = search.looked_at() + most;
     let spent = || search.left() == 0 || search.looked_at() >= budget;
     let least = if matches!(search.aim(), Aim::Near(_)) { LEAST_NEAR } else { LEAST };
-    let mut radius = region;
-    let Some(mut planes) = Planes::at(search, start, REACH * radius) else { return };
+    let (mut radius, mut side) = (region, Side::First);
+    let Some(mut planes) = Planes::at(search, start, REACH * radius, side) else { return };
     let mut fresh = true;
     while !spent() {
         if feasible_is_enough && planes.point().violated == 0.0 {
@@ -41,9 +41,13 @@ pub(super) fn descend(search: &Search, start: &[f64], region: f64, most: usize, 
             fresh = false;
         } else if radius > least {
             radius *= SHORTER * SHORTER.sqrt();
-            if !fresh && let Some(anew) = Planes::at(search, planes.here(), REACH * radius.max(least)) {
+            if !fresh && let Some(anew) = Planes::at(search, planes.here(), REACH * radius.max(least), side) {
                 (planes, fresh) = (anew, true);
             }
+        } else if side == Side::First
+            && let Some(anew) = Planes::at(search, planes.here(), REACH * region, Side::Other)
+        {
+            (planes, side, radius, fresh) = (anew, Side::Other, region, true);
         } else {
             return;
         }

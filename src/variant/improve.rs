@@ -9,12 +9,16 @@ const SHARES: [f64; 3] = [0.6, 0.7, 1.0];
 /// How far from what is known another start has to be, in shares of the bounds.
 const APART: f64 = 0.15;
 /// The region around what is nearly the best, in shares of the bounds.
-const NEARLY: f64 = 0.25 * REGION;
+pub(super) const NEARLY: f64 = 0.25 * REGION;
 /// How often descents begin anew from the best frame, where each finds a better one.
 const AGAIN: usize = 3;
 
-/// Makes the aim small, from the best frame and then from others that lead elsewhere.
-pub(super) fn improve(search: &Search) {
+/// Regions around the best frame in which it is looked for a better one before the search says that it converged, in shares of the bounds.
+pub(super) const REGIONS: [f64; 2] = [NEARLY, REGION];
+
+/// Makes the aim small with so many frames, from the best frame and then from others that lead elsewhere.
+pub(super) fn improve(search: &Search, most: usize) {
+    let end = search.looked_at() + most;
     let mut begun: Vec<Vec<f64>> = Vec::new();
     // What has to be near a frame is, after one descent; and where nothing varies there is nowhere to go.
     let descents = match search.aim() {
@@ -22,7 +26,8 @@ pub(super) fn improve(search: &Search) {
         Aim::Near(_) => 1,
         _ => SHARES.len(),
     };
-    for most in SHARES.iter().take(descents).map(|share| (share * search.left() as f64) as usize) {
+    let left = || end.saturating_sub(search.looked_at()).min(search.left());
+    for most in SHARES.iter().take(descents).map(|share| (share * left() as f64) as usize) {
         let far = |values: &Vec<f64>| begun.iter().all(|other| search.problem().distance(values, other) > APART * APART);
         let Some(start) = ranked(search).into_iter().find(far) else { break };
         descend(search, &start, REGION, most, false);
@@ -31,14 +36,18 @@ pub(super) fn improve(search: &Search) {
     }
 }
 
-/// Makes the aim small from the best frame, which is nearly the best there is, as long as each descent finds a better one.
-pub(super) fn settle(search: &Search) {
+/// Makes the aim small with so many frames from the best one, which is nearly the best there is: in each of these regions as long as a descent
+/// finds a better one.
+pub(super) fn settle(search: &Search, most: usize, regions: &[f64]) {
+    let end = search.looked_at() + most;
     let best = || ranked(search).into_iter().next().and_then(|values| Some((search.known(&values)?, values)));
-    for _ in 0..AGAIN {
-        let Some((before, values)) = best() else { return };
-        descend(search, &values, NEARLY, search.left(), false);
-        if best().is_none_or(|(after, _)| after.violated == before.violated && search.aim().is_alike(before.aim, after.aim)) {
-            return;
+    for region in regions {
+        for _ in 0..AGAIN {
+            let Some((before, values)) = best() else { return };
+            descend(search, &values, *region, end.saturating_sub(search.looked_at()), false);
+            if best().is_none_or(|(after, _)| after.violated == before.violated && search.aim().is_alike(before.aim, after.aim)) {
+                break;
+            }
         }
     }
 }

@@ -21,6 +21,15 @@ const PRICE: f64 = 10.0;
 const STEPS: [f64; 2] = [0.5, 1e-4];
 const MOST: usize = 3000;
 
+/// On which side of a point differences are taken, where there is a frame.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Side {
+    /// The way in which there is room.
+    First,
+    /// The other way.
+    Other,
+}
+
 /// The aim and the margins around a point, to first order.
 pub(super) struct Planes {
     /// The values at which they touch.
@@ -34,13 +43,17 @@ pub(super) struct Planes {
 
 impl Planes {
     /// Planes at values that were looked at, by differences over this share of the bounds; none where there is no frame. They touch the
-    /// best of the points that they are made of.
-    pub fn at(search: &Search, values: &[f64], reach: f64) -> Option<Self> {
+    /// best of the points that they are made of. A margin with a kink there has another slope on its other side.
+    pub fn at(search: &Search, values: &[f64], reach: f64, side: Side) -> Option<Self> {
         let point = search.known(values)?;
         let margins = point.margins.clone()?;
         let slopes = DMatrix::zeros(point.measures.len() + margins.len(), values.len());
         let mut planes = Self { here: values.to_vec(), point, margins, slopes };
-        let beside: Vec<[Vec<f64>; 2]> = (0..values.len()).map(|at| search.problem().vary[at].beside(values, at, reach)).collect();
+        let sides = |at: usize| {
+            let [first, other] = search.problem().vary[at].beside(values, at, reach);
+            if side == Side::First { [first, other] } else { [other, first] }
+        };
+        let beside: Vec<[Vec<f64>; 2]> = (0..values.len()).map(sides).collect();
         search.look_at(&beside.iter().map(|[first, _]| first.clone()).collect::<Vec<_>>());
         let there = |values: &Vec<f64>| search.known(values).is_some_and(|point| point.margins.is_some());
         // Where there is no frame on one side there may be one on the other.

@@ -11,7 +11,7 @@ use crate::frame::skeleton::SAWN_MM;
 use crate::mechanics::settings::MechanicsSettings;
 use crate::memo::Memo;
 use crate::params::parameter::Parameter;
-use crate::params::{Frame, FrameFile, target};
+use crate::params::{Frame, FrameFile, parameters, target};
 
 /// A parameter that may vary.
 #[derive(Clone, Copy, Debug)]
@@ -108,7 +108,13 @@ pub struct SearchProgress {
     pub missed: Option<String>,
 }
 
-impl SearchProblem<'_> {
+impl<'a> SearchProblem<'a> {
+    /// Who follows a part of the search that begins after so many frames: told of all of them.
+    pub(super) fn followed_from(&self, before: usize) -> impl Fn(&SearchProgress) -> ControlFlow<()> + Sync + use<'a> {
+        let (follows, most) = (self.follows, self.most);
+        move |now| follows(&SearchProgress { looked_at: before + now.looked_at, most, ..now.clone() })
+    }
+
     /// Whether what varies is the frame's to state.
     ///
     /// # Errors
@@ -118,6 +124,23 @@ impl SearchProblem<'_> {
             Some(key) => Err(SolveError::FromTarget { key }),
             None => Ok(()),
         }
+    }
+
+    /// The same with what varies in the order of the catalogue of parameters, in which order ever it was asked for: a search treats one number after
+    /// the other, and the same numbers lead to the same answer.
+    #[must_use]
+    pub(super) fn in_catalogue_order(&self) -> Self {
+        let place = |at: &usize| parameters().position(|parameter| std::ptr::eq(parameter, self.vary[*at].parameter));
+        let mut order: Vec<usize> = (0..self.vary.len()).collect();
+        order.sort_by_key(place);
+        let ordered = |values: &[f64]| if values.is_empty() { Vec::new() } else { order.iter().map(|at| values[*at]).collect() };
+        let aim = if let Aim::Near(from) = &self.aim { Aim::Near(ordered(from)) } else { self.aim.clone() };
+        Self { vary: order.iter().map(|at| self.vary[*at]).collect(), start: ordered(&self.start), aim, ..self.clone() }
+    }
+
+    /// The place of one that varies.
+    pub(super) fn place_of(&self, vary: &Vary) -> Option<usize> {
+        self.vary.iter().position(|own| std::ptr::eq(own.parameter, vary.parameter))
     }
 
     /// The squared distance of values from others, in shares of their bounds.

@@ -82,7 +82,7 @@ pub(super) fn scale(unit: &str) -> f64 {
 
 /// Frames that are designed side by side: between such groups somebody may end the search. As many on every machine, as what ends it by how many
 /// were looked at would find another frame with other groups.
-const AT_ONCE: usize = 8;
+pub(super) const AT_ONCE: usize = 8;
 /// Margins beyond this say no more, scaled; far enough that the planes through the first points are not flat.
 const FAR: f64 = 50.0;
 
@@ -207,7 +207,8 @@ impl<'a> Search<'a> {
             return;
         }
         if let Ok(evaluation) = self.look.evaluated(frame, Cost::Quick) {
-            let value = |measure: &Measure| measure.of(&evaluation).filter(|value| value.abs() > 0.0).map_or(1.0, f64::abs);
+            // A share of next to nothing is no share: it would weigh more than a limit that is missed.
+            let value = |measure: &Measure| measure.of(&evaluation).map_or(1.0, |value| value.abs().max(scale(measure.unit)));
             self.look.scales = self.look.aim.measures().into_iter().map(value).collect();
         }
     }
@@ -369,6 +370,9 @@ impl Look<'_> {
             Err(why) => return Point::none(self.distance(values), why),
         };
         let measures = self.aim.shares(&evaluation, &self.scales);
+        if let Some((measure, _)) = self.aim.measures().into_iter().zip(&measures).find(|(_, share)| !share.is_finite()) {
+            return Point::none(self.distance(values), format!("the frame has no `{}`", measure.name));
+        }
         let aim = self.aim.of(&measures, &self.scales, self.distance(values));
         let margins = margins(&evaluation, &self.constraints, &self.problem.goals);
         let violated = margins.iter().map(|margin| (-margin).max(0.0)).sum();

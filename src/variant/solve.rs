@@ -14,9 +14,9 @@ use super::approach::approach;
 use super::ended::Ended;
 use super::feasible::find;
 use super::goal::broken;
-use super::improve::{improve, settle};
+use super::improve::{REGIONS, improve, settle};
 use super::measures::Evaluation;
-use super::problem::{Binding, SearchProblem, SearchProgress, Solution, SolveError, Vary};
+use super::problem::{Binding, SearchProblem, Solution, SolveError, Vary};
 use super::retreat::retreated;
 use super::search::{Point, Search, ranked, scale, worst_of};
 use crate::checks::{CATALOGUE, Cost, Finding, Rule};
@@ -36,7 +36,9 @@ const REASONS: usize = 3;
 /// # Errors
 /// When the frame is refused, or no frame that was looked at keeps every limit.
 pub fn solve(problem: &SearchProblem) -> Result<Solution, SolveError> {
-    solve_by(problem, &CATALOGUE)
+    let mut solution = solve_by(&problem.in_catalogue_order(), &CATALOGUE)?;
+    solution.values.sort_by_key(|(vary, ..)| problem.place_of(vary));
+    Ok(solution)
 }
 
 /// Searches for a frame that keeps these rules.
@@ -50,18 +52,18 @@ pub(super) fn solve_by(problem: &SearchProblem, rules: &[&'static Rule]) -> Resu
     if start == own {
         search.look_at(std::slice::from_ref(&start));
     }
-    let is_settled = approach(&search, &before, &start);
+    let is_settled = approach(&search, search.known_of(before), &start);
     find(&search, &start);
     match search.aim() {
         // What has to be near a frame is, after one descent.
         Aim::Near(_) if is_settled => {}
-        _ if is_settled => settle(&search),
-        _ => improve(&search),
+        _ if is_settled => settle(&search, search.left(), &REGIONS),
+        _ => improve(&search, search.left()),
     }
     let answered = match answer(&search, &own) {
         // Few frames were designed, and the slow rules refuse them.
         Err(SolveError::Infeasible { .. }) if is_settled && search.left() > 0 => {
-            improve(&search);
+            improve(&search, search.left());
             answer(&search, &own)
         }
         answered => answered,
@@ -99,16 +101,15 @@ fn values_of(solution: &Solution) -> Vec<f64> {
 /// Searches with the frames that are left, each asked by every rule: what refused the best ones is then seen before it is reached. What is
 /// answered already is looked at first, so that no worse frame is the answer.
 fn asking_all_rules(search: &Search, answered: Option<&Solution>, own: &[f64], start: &[f64]) -> Result<Solution, SolveError> {
-    let (before, told) = (search.looked_at(), search.problem());
-    let follows =
-        |now: &SearchProgress| (told.follows)(&SearchProgress { looked_at: before + now.looked_at, most: told.most, ..now.clone() });
-    let rest = SearchProblem { most: search.left(), follows: &follows, ..told.clone() };
+    let before = search.looked_at();
+    let follows = search.problem().followed_from(before);
+    let rest = SearchProblem { most: search.left(), follows: &follows, ..search.problem().clone() };
     let all_rules = search.asking_all_rules(&rest);
     let best = ranked(search).into_iter().take(KNOWN);
     let known: Vec<Vec<f64>> = answered.map(values_of).into_iter().chain(best).chain([start.to_vec()]).collect();
     all_rules.look_at(&known);
     find(&all_rules, start);
-    improve(&all_rules);
+    improve(&all_rules, all_rules.left());
     let mut solution = answer(&all_rules, own)?;
     solution.looked_at += before;
     Ok(solution)
@@ -124,12 +125,13 @@ pub(super) fn start_values(vary: &[Vary], frame: &Frame) -> Vec<f64> {
     own_values(vary, frame).into_iter().zip(vary).map(|(value, vary)| value.clamp(vary.bounds[0], vary.bounds[1])).collect()
 }
 
-/// What is known of a problem's frame as it is.
-pub(super) fn before(problem: &SearchProblem) -> Result<Point, String> {
+/// What is known of a problem's frame as it is, and whether somebody ended the search with it.
+pub(super) fn before(problem: &SearchProblem) -> Result<(Point, bool), String> {
     let frame = Frame::resolve(problem.file).map_err(|refusal| refusal.to_string())?;
     let (own, search) = (own_values(&problem.vary, &frame), Search::new(problem, &CATALOGUE));
     search.look_at(std::slice::from_ref(&own));
-    search.known(&own).ok_or_else(|| "ended before".into())
+    let point = search.known(&own).ok_or_else(|| "no frame is left to look at".to_owned())?;
+    Ok((point, search.is_ended()))
 }
 
 /// Why a search ended.

@@ -132,7 +132,7 @@ impl<'a> Bench<'a> {
         least_margin(found, finding).min(finding.margin)
     }
 
-    /// The remedies of a violation, the lightest change first; those that break something else only where there are no others.
+    /// The remedies of a violation, in the order of the levers that its rule names; those that break something else only where there are no others.
     pub(super) fn remedies(&self, finding: &Finding) -> Vec<Remedy> {
         let Some(rule) = CATALOGUE.iter().find(|rule| rule.id == finding.rule) else { return Vec::new() };
         let levers: Vec<&str> = finding.levers.iter().map(|lever| &**lever).collect();

@@ -14,9 +14,9 @@ use crate::checks::{self, Cost, Rule, Verdict};
 use crate::figures::decimals;
 use crate::frame::assembly::{Design, mass};
 use crate::memo::Memo;
-use crate::params::frame_file::Entry;
+use crate::params::frame_file::{Entry, Value};
 use crate::params::{Frame, FrameFile, preset};
-use crate::variant::{Request, SearchProgress, create};
+use crate::variant::{Request, SearchProgress, Vary, create, movable};
 
 /// Frames that the search for what has to move together looks at, at the most; each takes about a second of processor time. Where there is such a
 /// frame, it is found among the first three (docs/performance.md, search); where there is none, all of them are looked at.
@@ -90,7 +90,7 @@ impl<'a> Wishes<'a> {
         Some(format!("base = \"{name}\" keeps every limit of its own ({} g)", decimals(mass_g, 1)))
     }
 
-    /// Rods and motor positions that keep every limit when they move together; none where a wish is among them.
+    /// Rods and motor positions that keep every limit when they move together; those that are wished stay.
     fn together(&self, wishes: &[(&String, &Entry)]) -> Option<String> {
         let from = self.base.as_ref()?;
         let first = AtomicUsize::new(usize::MAX);
@@ -103,9 +103,14 @@ impl<'a> Wishes<'a> {
             }
             ControlFlow::Continue(())
         };
-        let request = Request { file: self.file, from, envelope_mm: None, vary: &[], most: MOST, follows: &follows };
-        let creation = create(&request).ok()?;
-        if creation.moved.is_empty() || creation.moved.iter().any(|moved| wishes.iter().any(|(key, _)| **key == moved.key)) {
+        let free = Request { file: self.file, from, envelope_mm: None, vary: &[], most: MOST, follows: &follows };
+        let wished = |vary: &Vary| match wishes.iter().find(|(key, _)| **key == vary.key())?.1.value {
+            Value::Number(value) => Some(Vary { bounds: [value; 2], ..*vary }),
+            _ => None,
+        };
+        let vary: Vec<Vary> = movable(&free).iter().filter_map(wished).collect();
+        let creation = create(&Request { vary: &vary, ..free }).ok()?;
+        if creation.moved.is_empty() {
             return None;
         }
         let moves: Vec<String> = creation

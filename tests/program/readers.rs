@@ -182,9 +182,16 @@ fn study(files: &[(&str, &[u8])]) -> bool {
     }))
 }
 
+/// What samples are of.
+static BASE: LazyLock<(FrameFile, Frame)> = LazyLock::new(|| {
+    let file = FrameFile::load("cognifly").expect("a preset");
+    let frame = Frame::resolve(&file).expect("is one");
+    (file, frame)
+});
+
 /// Each row has a figure or a name for each column. That rows become frames is for `study_plans` and `amended_frames`.
 fn study_samples(bytes: &[u8]) -> bool {
-    taken(samples(&SAMPLED, &text(bytes)).map_err(LoadError::Refused).map(|(axes, rows)| {
+    taken(samples(&SAMPLED, &text(bytes), &BASE.0, &BASE.1).map_err(LoadError::Refused).map(|(axes, rows)| {
         assert!(!rows.is_empty() && rows.iter().all(|row| row.len() == axes.len()));
     }))
 }

@@ -6,7 +6,7 @@ use crate::cli::failure::Failure;
 use crate::mechanics::settings::MechanicsSettings;
 use crate::params::refusal::nearest;
 use crate::params::{Frame, FrameFile};
-use crate::variant::{Aim, Goal, Measure, NameChoice, measure, measure_names};
+use crate::variant::{Aim, Better, Goal, Measure, NameChoice, measure, measure_names};
 
 /// How many goals a front may have.
 const GOALS: std::ops::RangeInclusive<usize> = 2..=3;
@@ -46,6 +46,13 @@ impl Wanted {
             });
         }
         let goals = args.pareto.iter().map(|name| named("--pareto", name.trim())).collect::<Result<Vec<_>, _>>()?;
+        if let Some(goal) = goals.iter().find(|goal| goal.better == Better::Neither) {
+            let message = format!(
+                "--pareto: neither less nor more of {} is better, so it is no goal; `--aim {}=VALUE` asks for a value, `--subject-to` for a limit",
+                goal.name, goal.name
+            );
+            return Err(Failure::Usage { message });
+        }
         let twice = goals.iter().enumerate().find(|(at, goal)| goals[..*at].iter().any(|other| other.name == goal.name));
         match twice {
             Some((_, goal)) => Err(Failure::Usage { message: format!("--pareto: {} stands there twice", goal.name) }),

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::body::{Body, Kind, Shape};
 use super::design::Design;
 use crate::params::catalogue::MassBasis;
-use crate::params::frame::Extra;
+use crate::params::frame::{BoughtItem, Extra, Frame};
 
 /// What a line of the table is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -178,11 +178,8 @@ fn bought_lines(design: &Design) -> Vec<MassLine> {
         .iter()
         .filter(|(role, _)| *role != "rod")
         .map(|(role, item)| {
-            let of_entry = (item.part.mass_g, basis(item.part.mass_basis));
-            let (mass_g, basis) = match role.as_str() {
-                "battery" if frame.battery.battery_mass_g != item.part.mass_g => (frame.battery.battery_mass_g, STATED),
-                _ => of_entry,
-            };
+            let mass_g = each_g(frame, role, item);
+            let basis = if mass_g == item.part.mass_g { basis(item.part.mass_basis) } else { STATED };
             match covering(design, role) {
                 Some(extra) => line(role, LineKind::Bought, &item.name, item.quantity, 0.0, &format!("in {extra}")),
                 None => line(role, LineKind::Bought, &item.name, item.quantity, mass_g, basis),
@@ -191,7 +188,12 @@ fn bought_lines(design: &Design) -> Vec<MassLine> {
         .collect()
 }
 
-/// What the parts of a role weigh together without an extra that covers them, g: rods by their volume, others by the catalogue.
+/// Mass of one bought part, g: of the battery what the frame states, which is that of the catalogue where nothing else is stated.
+fn each_g(frame: &Frame, role: &str, item: &BoughtItem) -> f64 {
+    if role == "battery" { frame.battery.battery_mass_g } else { item.part.mass_g }
+}
+
+/// What the parts of a role weigh together without an extra that covers them, g: rods by their volume, others as they are weighed.
 pub fn uncovered_g(design: &Design, role: &str) -> f64 {
     if role == "rod" {
         let rods = design.shapes.iter().filter_map(|shape| match shape.kind {
@@ -200,7 +202,7 @@ pub fn uncovered_g(design: &Design, role: &str) -> f64 {
         });
         return rods.sum();
     }
-    design.frame.bought.get(role).map_or(0.0, |item| item.part.mass_g * f64::from(item.quantity))
+    design.frame.bought.get(role).map_or(0.0, |item| each_g(&design.frame, role, item) * f64::from(item.quantity))
 }
 
 /// Mass of one rod, g.

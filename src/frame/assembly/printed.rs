@@ -30,11 +30,11 @@ pub struct Printed {
     pub folded: MeshSolid,
     /// From the part's axes to those in which it is printed, resting on z = 0.
     pub print_pose: Isometry3<f64>,
-    /// The mesh of it that is written.
+    /// Its nominal mesh, as it lies on the bed; what is written for a printer with compensation follows from it.
     pub mesh: Arc<Mesh>,
     /// What the export gate saw.
     pub topology: Topology,
-    /// Volume of the printed mesh, mm³.
+    /// Volume of the nominal mesh, mm³.
     pub volume_mm3: f64,
     /// Volume by the B-rep kernel, mm³, for parts that it builds without booleans.
     pub exact_volume_mm3: Option<f64>,

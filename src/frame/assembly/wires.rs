@@ -169,8 +169,7 @@ mod tests {
         frame.bought.remove("motor_controller");
         frame.bought.remove("flight_controller");
         frame.bought.remove("damper");
-        if let Ok(design) = Design::new(frame) {
-            assert!(wires(&design).iter().all(|wire| wire.role == "camera_cable"));
-        }
+        let design = Design::new(frame).expect("designs");
+        assert!(wires(&design).iter().all(|wire| wire.role == "camera_cable"));
     }
 }

@@ -1,14 +1,11 @@
-//! What cutting rods asks for, by their material: fibres in resin make dust that harms lungs, of other rods the ends are sharp.
+//! What cutting rods asks for, by their material: of some the dust harms lungs, of others the ends are sharp alone.
 
 use crate::params::Frame;
 
-/// Materials of fibres in resin, by what their names in the catalogue contain.
-const FIBRES: [&str; 2] = ["carbon", "glass"];
-
 /// The rods' material by its name in the catalogue, and whether its dust harms.
 fn material(frame: &Frame) -> (&str, bool) {
-    let name = frame.rod_material.name.as_str();
-    (name, FIBRES.iter().any(|fibre| name.contains(fibre)))
+    let used = &frame.rod_material;
+    (&used.name, used.material.dust_harms.unwrap_or(true))
 }
 
 /// What to take care of when the rods of a frame are cut.
@@ -59,10 +56,10 @@ mod tests {
     }
 
     #[test]
-    fn planted_a_material_of_glass_fibres_has_harmful_dust() {
-        let mut frame = Frame::load("cognifly").expect("a preset").0;
-        frame.rod_material.name = "my-glass-fibre".into();
+    fn planted_dust_of_which_nothing_is_stated_harms() {
+        let mut frame = Frame::load("cognifly-bamboo").expect("a preset").0;
+        (frame.rod_material.name, frame.rod_material.material.dust_harms) = ("t700".into(), None);
         let said = when_cut(&frame);
-        assert!(said.contains("of my-glass-fibre.") && said.contains("dust harms lungs"), "{said}");
+        assert!(said.contains("of t700.") && said.contains("dust harms lungs"), "{said}");
     }
 }

@@ -28,7 +28,7 @@ pub static PART: PrintedPart = PrintedPart {
     walls: &[Wall::anywhere(&["sleeve.sleeve_side_wall_mm", "sleeve.sleeve_top_wall_mm", "lid.lid_cheek_mm"])],
 };
 
-/// Fillets in the trough between the cheeks: at its bottom and at the block, mm.
+/// Fillets in the trough between the cheeks: at its bottom and at the block, mm, where the bracket's edges leave room for them.
 const TROUGH_FILLET_MM: f64 = 0.5;
 
 /// How far above the block the slope at the tower's back begins, as a multiple of its fillet there.
@@ -191,9 +191,15 @@ impl<'a> Lid<'a> {
         vec![flat, rim, along_x(under, [-w, w]).minus([hollow])]
     }
 
+    /// Fillets of the trough, mm: the bracket's edges are sharp, so a wider one would come nearer to them than the faces beside it do.
+    fn trough_fillet_mm(&self) -> f64 {
+        let lid = &self.frame.lid;
+        TROUGH_FILLET_MM.min(lid.lid_clearance_mm).min(lid.lid_slide_clearance_mm)
+    }
+
     /// The trough between the cheeks that the bracket slides in, with fillets at its bottom and at the block.
     fn trough(&self, top: f64) -> Feature {
-        let (cheek, r) = (self.centre.outer_mm[0] - self.frame.lid.lid_cheek_mm, TROUGH_FILLET_MM);
+        let (cheek, r) = (self.centre.outer_mm[0] - self.frame.lid.lid_cheek_mm, self.trough_fillet_mm());
         let below = face(&[([-cheek, self.deck], r), ([cheek, self.deck], r), sharp(cheek, top), sharp(-cheek, top)]);
         let beside = face(&[([self.front, self.deck], r), sharp(2.0, self.deck), sharp(2.0, top + 1.0), sharp(self.front, top + 1.0)]);
         let above = face(&[([-cheek, self.front], r), ([cheek, self.front], r), sharp(cheek, 3.0), sharp(-cheek, 3.0)]);
@@ -232,8 +238,24 @@ fn hollow(half_width_mm: f64, radius_mm: f64, touches_rad: [f64; 2]) -> Feature 
 
 #[cfg(test)]
 mod tests {
+    use super::super::battery_bracket;
     use super::super::gauges::{Gauged, v8};
     use super::*;
+    use crate::solid::MeshSolid;
+
+    /// Between the bracket and the trough is the room that was asked for, in its corners, too.
+    #[test]
+    fn analytic_the_bracket_slides_in_the_trough_with_the_clearances_asked_for() {
+        for [across_mm, slide_mm] in [[0.2, 0.1], [0.1, 0.1], [0.1, 0.05], [0.6, 0.4], [0.6, 0.05]] {
+            let mut frame = v8().0;
+            (frame.lid.lid_clearance_mm, frame.lid.lid_slide_clearance_mm) = (across_mm, slide_mm);
+            let centre = Centre::new(&frame);
+            let lid = MeshSolid::build(&feature(&frame, &centre).placed(centre.sleeve_pose()));
+            let bracket = MeshSolid::build(&battery_bracket::feature(&frame, &centre).placed(centre.bracket_pose()));
+            let gap_mm = bracket.gap_mm(&lid, 1.0);
+            assert!((gap_mm - across_mm.min(slide_mm)).abs() < 0.005, "{across_mm} {slide_mm}: {gap_mm}");
+        }
+    }
 
     #[test]
     fn measured_lid_is_like_the_real_one() {

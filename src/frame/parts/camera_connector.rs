@@ -101,7 +101,8 @@ impl<'a> Connector<'a> {
         Self {
             frame,
             hole,
-            inner: hole - UPRIGHT_HALF_MM,
+            // The part is printed on this side, so the foot does not reach beyond it.
+            inner: (hole - UPRIGHT_HALF_MM).min(-FOOT_HALF_MM),
             outer,
             block: (outer + 2.0).max(3.0),
             back,
@@ -195,6 +196,29 @@ impl<'a> Connector<'a> {
 mod tests {
     use super::super::gauges::{Gauged, v8};
     use super::*;
+    use crate::solid::MeshSolid;
+
+    /// Whatever camera is on the board, the flat on which it is printed is the lowest place, and wide enough to stand on.
+    #[test]
+    fn analytic_connectors_stand_on_their_flat_for_any_camera() {
+        for across_mm in [18.0, 21.0, 23.0, 24.0, 34.0, 40.0] {
+            let (mut frame, centre) = v8();
+            frame.camera.camera_pattern_across_mm = across_mm;
+            let mesh = MeshSolid::build(&left(&frame, &centre).placed(nalgebra::convert(print_turn_left()))).to_mesh();
+            let low_mm = mesh.bounds_mm()[0][2];
+            let lies = |triangle: &&[u32; 3]| mesh.corners(triangle).iter().all(|corner| corner.z < low_mm + 1e-3);
+            let area_mm2: f64 = mesh
+                .triangles
+                .iter()
+                .filter(lies)
+                .map(|triangle| {
+                    let [a, b, c] = mesh.corners(triangle);
+                    0.5 * (b - a).cross(&(c - a)).norm()
+                })
+                .sum();
+            assert!(area_mm2 > 45.0, "{across_mm}: {area_mm2}");
+        }
+    }
 
     #[test]
     fn measured_connectors_are_like_the_real_ones() {

@@ -7,6 +7,8 @@ use crate::solid::{Feature, Mesh, MeshSolid, gate};
 
 /// Dimensions are held to this, mm.
 pub const CLOSE_MM: f64 = 0.05;
+/// Largest difference of a side of a part's box from the measured one, mm.
+const LIKE_MM: f64 = 0.1;
 
 /// The frame that the parts were measured on.
 pub fn v8() -> Frame {
@@ -52,13 +54,13 @@ pub fn assert_close(what: &str, measured_mm: f64, nominal_mm: f64) {
     assert!((measured_mm - nominal_mm).abs() < CLOSE_MM, "{what}: {measured_mm:.3} mm, nominal {nominal_mm:.3} mm");
 }
 
-/// Asserts that a part is like the one it was measured from: box within 1 mm a side, volume within a part.
+/// Asserts that a part is like the one it was measured from: box within [`LIKE_MM`] a side, volume within a part.
 #[track_caller]
 pub fn assert_like(mesh: &Mesh, mut size_mm: [f64; 3], volume_mm3: f64, part: f64) {
     let mut size = mesh.size_mm();
     size.sort_by(f64::total_cmp);
     size_mm.sort_by(f64::total_cmp);
-    assert!((0..3).all(|i| (size[i] - size_mm[i]).abs() < 1.0), "{size:?} mm, measured part {size_mm:?} mm");
+    assert!((0..3).all(|i| (size[i] - size_mm[i]).abs() < LIKE_MM), "{size:?} mm, measured part {size_mm:?} mm");
     let off = mesh.volume_mm3() / volume_mm3 - 1.0;
     assert!(off.abs() < part, "volume off by {:.1} %", 100.0 * off);
 }

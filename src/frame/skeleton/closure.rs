@@ -27,7 +27,7 @@ pub struct Closure {
     pub strut_pivot_mm: f64,
     /// From a ring node inward along the diagonal to the leg's pivot, mm.
     pub leg_pivot_mm: f64,
-    /// Mouth of the arm rods' end in the fork: where their bores end, s in mm.
+    /// Bottom of the arm rods' bores in the fork, where the rods end, s in mm.
     pub fork_bottom_s_mm: f64,
     /// Nominal centre of the fork's bar, s in mm.
     pub bar_s_mm: f64,

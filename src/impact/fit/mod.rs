@@ -19,6 +19,7 @@ mod free;
 mod least_squares;
 mod likelihood;
 mod normal_law;
+mod normal_table;
 mod paper;
 mod problem;
 mod trial_covariance;

@@ -10,7 +10,7 @@
 //! *When it is wrong:* where the variation is not in proportion to the wave, and where white noise comes near the trigger.
 
 use super::fine_wave::FineWave;
-use super::normal_law::{normal_below, normal_density};
+use super::normal_table::NormalTable;
 use super::waves::BEFORE;
 use crate::impact::measured::TRIGGER_G;
 use crate::impact::wide_registers::{Loops, with_wide_registers};
@@ -84,9 +84,10 @@ impl TriggerJitter {
         let samples = kept.len();
         let first = (fine.crossing_s / step_s).ceil() as usize + 1;
         let (mut sum, mut wave) = (vec![0.0; samples], vec![0.0; first + LATEST + samples]);
+        let normal = NormalTable::new();
         for [part, share] in phases {
             fine.read(|i| fine.crossing_s + step_s * (part + i as f64 - first as f64), &mut wave);
-            Record { wave: &wave, kept, sd: self.variance().sqrt() }.aligned(first, share, &mut sum);
+            Record { wave: &wave, kept, sd: self.variance().sqrt(), normal }.aligned(first, share, &mut sum);
             sum.iter_mut().zip(&wave[first - BEFORE..]).for_each(|(sum, reading)| *sum -= share * reading);
         }
         sum
@@ -116,6 +117,7 @@ struct Record<'a> {
     wave: &'a [f64],
     kept: &'a [f64],
     sd: f64,
+    normal: NormalTable,
 }
 
 impl Record<'_> {
@@ -127,7 +129,7 @@ impl Record<'_> {
             mean *= self.kept[1];
             variance = 1.0 - self.kept[1] * self.kept[1] * (1.0 - variance);
             let along = self.sd * self.wave[at].abs() * variance.sqrt();
-            let missed = Missed::of(self.wave[at].abs() * (1.0 + self.sd * mean), along);
+            let missed = Missed::of(self.normal, self.wave[at].abs() * (1.0 + self.sd * mean), along);
             let last = at == crossing + LATEST;
             let hit = if last { open } else { open * (1.0 - missed.probability) };
             if hit > NEVER {
@@ -160,18 +162,14 @@ struct Missed {
 }
 
 impl Missed {
-    fn of(mean_g: f64, sd_g: f64) -> Self {
+    #[inline(always)]
+    fn of(normal: NormalTable, mean_g: f64, sd_g: f64) -> Self {
         if sd_g <= 1e-9 {
             return Self { probability: f64::from(u8::from(mean_g <= TRIGGER_G)), first: 0.0, second: 0.0 };
         }
         let (low, high) = ((-TRIGGER_G - mean_g) / sd_g, (TRIGGER_G - mean_g) / sd_g);
-        let (at_low, at_high) = (normal_density(low), normal_density(high));
-        let ends = |z: f64, density: f64| if z.is_finite() { z * density } else { 0.0 };
-        Self {
-            probability: normal_below(high) - normal_below(low),
-            first: at_low - at_high,
-            second: ends(low, at_low) - ends(high, at_high),
-        }
+        let ([at_low, below_low], [at_high, below_high]) = (normal.at(low), normal.at(high));
+        Self { probability: below_high - below_low, first: at_low - at_high, second: low * at_low - high * at_high }
     }
 }
 

@@ -18,21 +18,26 @@ pub struct Mount {
 }
 
 impl Mount {
-    /// Turns proper acceleration of the body into that of the sensor, both at steps of the same length, s: the implicit midpoint rule, order 2.
-    pub fn carry(&self, wave_g: &mut [f64], step_s: f64) {
+    /// Turns proper acceleration of bodies, side by side, into that of their sensors, both at steps of the same length, s: the implicit midpoint
+    /// rule, order 2.
+    #[inline(always)]
+    pub fn carry<const N: usize>(&self, waves_g: &mut [[f64; N]], step_s: f64) {
         let w = std::f64::consts::TAU * self.f_hz;
         let half = 0.5 * step_s;
         let damped = 2.0 * self.zeta * w;
-        let (mut way, mut rate) = (0.0, 0.0);
-        let mut begin = None;
-        for reading in wave_g {
-            // The wave begins with the touch, at rest.
-            if let Some(begin) = begin.replace(*reading) {
-                let middle = (rate - half * (0.5 * (begin + *reading) + w * w * way)) / (1.0 + half * (damped + half * w * w));
-                rate = 2.0 * middle - rate;
-                way += step_s * middle;
+        // The wave begins with the touch, at rest.
+        let (mut way, mut rate) = ([0.0; N], [0.0; N]);
+        let mut begin = waves_g.first().copied().unwrap_or([0.0; N]);
+        waves_g.first_mut().iter_mut().for_each(|first| **first = [0.0; N]);
+        for readings in waves_g.iter_mut().skip(1) {
+            for at in 0..N {
+                let reading = readings[at];
+                let middle = (rate[at] - half * (0.5 * (begin[at] + reading) + w * w * way[at])) / (1.0 + half * (damped + half * w * w));
+                rate[at] = 2.0 * middle - rate[at];
+                way[at] += step_s * middle;
+                begin[at] = reading;
+                readings[at] = -(w * w * way[at] + damped * rate[at]);
             }
-            *reading = -(w * w * way + damped * rate);
         }
     }
 }
@@ -45,11 +50,11 @@ mod tests {
     fn analytic_a_step_swings_as_an_oscillator_does() {
         let mount = Mount { f_hz: 150.0, zeta: 0.2 };
         let step_s = 5e-5;
-        let mut wave = vec![10.0; 600];
+        let mut wave = vec![[10.0]; 600];
         mount.carry(&mut wave, step_s);
         let w = std::f64::consts::TAU * mount.f_hz;
         let swing = w * (1.0 - mount.zeta * mount.zeta).sqrt();
-        for (at, reading) in wave.iter().enumerate() {
+        for (at, [reading]) in wave.iter().enumerate() {
             // Step response of (2 zeta w s + w²) / (s² + 2 zeta w s + w²).
             let t = step_s * at as f64;
             let decay = libm::exp(-mount.zeta * w * t);
@@ -60,9 +65,9 @@ mod tests {
 
     #[test]
     fn analytic_a_stiff_mount_reads_what_the_body_does() {
-        let mut wave: Vec<f64> = (0..600).map(|i| 50.0 * libm::sin(f64::from(i) * 5e-5 / 0.03 * std::f64::consts::PI)).collect();
+        let mut wave: Vec<[f64; 1]> = (0..600).map(|i| [50.0 * libm::sin(f64::from(i) * 5e-5 / 0.03 * std::f64::consts::PI)]).collect();
         let body = wave.clone();
         Mount { f_hz: 3000.0, zeta: 0.7 }.carry(&mut wave, 5e-5);
-        assert!(wave.iter().zip(&body).skip(20).all(|(sensor, body)| (sensor - body).abs() < 0.4));
+        assert!(wave.iter().zip(&body).skip(20).all(|([sensor], [body])| (sensor - body).abs() < 0.4));
     }
 }

@@ -38,6 +38,23 @@ pub struct Landing {
     pub touch_s: [Option<f64>; FEET],
 }
 
+/// How several bodies landed, side by side.
+#[derive(Debug, PartialEq)]
+pub struct Landings<const N: usize> {
+    /// As [`Landing::accel_g`], of each.
+    pub accel_g: Vec<[f64; N]>,
+    touch_s: [[Option<f64>; FEET]; N],
+    followed: [bool; N],
+}
+
+impl<const N: usize> Landings<N> {
+    /// Each alone; `None` where the body is lost: numbers that no leg has.
+    pub fn each(&self) -> [Option<Landing>; N] {
+        let accel_g = |at: usize| self.accel_g.iter().map(|accel_g| accel_g[at]).collect();
+        std::array::from_fn(|at| self.followed[at].then(|| Landing { accel_g: accel_g(at), touch_s: self.touch_s[at] }))
+    }
+}
+
 /// Motion of each of several landings.
 #[derive(Clone, Copy)]
 struct State<const N: usize> {
@@ -52,7 +69,7 @@ struct State<const N: usize> {
 ///
 /// A positive slope puts the foot at the diagonal's positive end lower. `None` where the body is lost: numbers that no leg has.
 pub fn simulate(body: &LeggedBody, legs: &Legs, speed_m_s: f64, slopes: [f64; 2], points: usize) -> Option<Landing> {
-    let [landing] = simulate_each(body, legs, speed_m_s, &[slopes], points, SensorAxis::Body);
+    let [landing] = simulate_each(body, legs, speed_m_s, &[slopes], points, SensorAxis::Body).each();
     landing
 }
 
@@ -73,7 +90,7 @@ pub fn simulate_each<const N: usize>(
     slopes: &[[f64; 2]; N],
     points: usize,
     axis: SensorAxis,
-) -> [Option<Landing>; N] {
+) -> Landings<N> {
     with_wide_registers(Following { mechanics: Mechanics::of(body, legs), begin: touching(body, speed_m_s, slopes), points, axis })
 }
 
@@ -86,7 +103,7 @@ struct Following<const N: usize> {
 }
 
 impl<const N: usize> Loops for Following<N> {
-    type Output = [Option<Landing>; N];
+    type Output = Landings<N>;
 
     #[inline(always)]
     fn run(self) -> Self::Output {
@@ -153,7 +170,7 @@ fn followed<const N: usize, const FREE: bool, const RUBS: bool>(
     mut state: State<N>,
     points: usize,
     axis: SensorAxis,
-) -> [Option<Landing>; N] {
+) -> Landings<N> {
     let mut accel_g = Vec::with_capacity(points);
     let mut touch_s = [[None; FEET]; N];
     let mut before_m = [[0.0; N]; FEET];
@@ -174,7 +191,8 @@ fn followed<const N: usize, const FREE: bool, const RUBS: bool>(
         before_m = depth_m;
         accel_g.push(read_g);
         let left_s = (points - point) as f64 * STEP_S;
-        if !FREE && (0..N).all(|at| mechanics.flies(&state, at, left_s)) {
+        let pushed = (0..N).any(|at| pressed_n[at] > 0.0);
+        if !FREE && !pushed && (0..N).all(|at| mechanics.flies(&state, at, left_s)) {
             accel_g.resize(points, [0.0; N]);
             break;
         }
@@ -183,11 +201,8 @@ fn followed<const N: usize, const FREE: bool, const RUBS: bool>(
     }
     // Feet that have all of the moment of inertia leave the body none.
     let possible = mechanics.inertia_kg_m2 > 0.0;
-    std::array::from_fn(|at| {
-        let landing = || Landing { accel_g: accel_g.iter().map(|accel_g| accel_g[at]).collect(), touch_s: touch_s[at] };
-        let followed = state.body.iter().chain(state.feet.iter().flatten()).all(|value| value[at].is_finite());
-        (possible && followed).then(landing)
-    })
+    let is_finite = |at: usize| state.body.iter().chain(state.feet.iter().flatten()).all(|value| value[at].is_finite());
+    Landings { accel_g, touch_s, followed: std::array::from_fn(|at| possible && is_finite(at)) }
 }
 
 /// When the lowest foot touches.
@@ -320,7 +335,7 @@ mod tests {
             let begin = touching(&BODY, 4.0, &slopes);
             let following = || Following { mechanics: Mechanics::of(&BODY, &legs), begin, points: 700, axis: SensorAxis::Body };
             let [wide, narrow] = [with_wide_registers(following()), following().run()];
-            assert!(wide.iter().all(Option::is_some) && wide == narrow, "{legs:?}");
+            assert!(wide.each().iter().all(Option::is_some) && wide == narrow, "{legs:?}");
         }
     }
 
@@ -359,7 +374,7 @@ mod tests {
     #[test]
     fn analytic_a_sensor_that_turns_with_the_body_reads_the_cosine_of_its_slope() {
         let read = |slope: f64, axis| {
-            let [landing] = simulate_each(&BODY, &LEGS, 4.0, &[[slope, 0.0]], 400, axis);
+            let [landing] = simulate_each(&BODY, &LEGS, 4.0, &[[slope, 0.0]], 400, axis).each();
             landing.expect("it lands").accel_g
         };
         // Level, it is the same to the last bit; as the first foot touches, the slope is still that of the fall.

@@ -4,7 +4,8 @@ use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
 use super::legged_body::{LeggedBody, Legs, fall};
-use super::simulation::{FEET, Landing, STEP_S, SensorAxis, simulate_each};
+use super::mount::Mount;
+use super::simulation::{FEET, Landing, Landings, STEP_S, SensorAxis, simulate_each};
 use super::slope_grid::{GridPoint, points, simulated};
 use crate::impact::effects::{Model, Sensor};
 use crate::impact::fit::Expected;
@@ -138,29 +139,73 @@ fn landed_everywhere(
     height_m: f64,
 ) -> Option<Vec<ReadLanding>> {
     let [speed_m_s, _] = fall(model, height_m);
-    let read = |landing: Landing| {
-        let mut wave = landing.accel_g;
-        legs.mount.iter().for_each(|mount| mount.carry(&mut wave, STEP_S));
-        ReadLanding { wave_g: filtered(wave, &model.arrangement().sensor), touch_s: landing.touch_s }
-    };
     let slopes = simulated();
     let (together, alone) = slopes.as_chunks::<TOGETHER>();
     let points = expected.fine_points();
-    let mut landings: Vec<Option<Landing>> =
-        together.par_iter().flat_map_iter(|slopes| simulate_each(body, legs, speed_m_s, slopes, points, axis)).collect();
-    landings.extend(alone.iter().flat_map(|slopes| simulate_each(body, legs, speed_m_s, &[*slopes], points, axis)));
-    landings.into_par_iter().map(|landing| Some(read(landing?))).collect()
+    let simulate = |slopes: &[f64; 2]| read(simulate_each(body, legs, speed_m_s, &[*slopes], points, axis), legs.mount, model);
+    let simulate_together =
+        |slopes: &[[f64; 2]; TOGETHER]| read(simulate_each(body, legs, speed_m_s, slopes, points, axis), legs.mount, model);
+    let mut landings: Vec<Option<ReadLanding>> = together.par_iter().flat_map_iter(simulate_together).collect();
+    landings.extend(alone.iter().flat_map(simulate));
+    landings.into_iter().collect()
 }
 
-/// What the sensor reads: its stages one after the other, gain and limit.
-fn filtered(mut wave: Vec<f64>, sensor: &Sensor) -> Vec<f64> {
-    let kept = libm::exp(-sensor.rate_1_s() * STEP_S);
-    for _ in 0..sensor.order {
-        let mut state = 0.0;
-        for reading in &mut wave {
-            state = kept * state + (1.0 - kept) * *reading;
-            *reading = state;
+/// What the sensor reads of each landing; `None` where the body is lost.
+fn read<const N: usize>(mut landings: Landings<N>, mount: Option<Mount>, model: &Model) -> [Option<ReadLanding>; N] {
+    with_wide_registers(Sensing { waves_g: &mut landings.accel_g, mount, sensor: model.arrangement().sensor });
+    landings.each().map(|landing| landing.map(|Landing { accel_g: wave_g, touch_s }| ReadLanding { wave_g, touch_s }))
+}
+
+/// Proper acceleration of bodies, g, that becomes what their sensors read: the mount, the sensor's stages one after the other, gain and limit.
+struct Sensing<'a, const N: usize> {
+    waves_g: &'a mut [[f64; N]],
+    mount: Option<Mount>,
+    sensor: Sensor,
+}
+
+impl<const N: usize> Loops for Sensing<'_, N> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Self { waves_g, mount, sensor } = self;
+        if let Some(mount) = mount {
+            mount.carry(waves_g, STEP_S);
+        }
+        let kept = libm::exp(-sensor.rate_1_s() * STEP_S);
+        for _ in 0..sensor.order {
+            let mut state = [0.0; N];
+            for readings in waves_g.iter_mut() {
+                for at in 0..N {
+                    state[at] = kept * state[at] + (1.0 - kept) * readings[at];
+                }
+                *readings = state;
+            }
+        }
+        for reading in waves_g.as_flattened_mut() {
+            *reading = (sensor.gain * *reading).clamp(-sensor.limit_g, sensor.limit_g);
         }
     }
-    wave.iter().map(|reading| (sensor.gain * reading).clamp(-sensor.limit_g, sensor.limit_g)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::impact::effects::Channel;
+
+    #[test]
+    fn analytic_wide_registers_give_the_bits_of_narrow_ones() {
+        let begin: Vec<[f64; 4]> =
+            (0..600).map(|point| [20.0, 90.0, 150.0, 400.0].map(|peak_g| peak_g * libm::sin(f64::from(point) * 5e-3))).collect();
+        let sensing = |waves_g| Sensing {
+            waves_g,
+            mount: Some(Mount { f_hz: 180.0, zeta: 0.2 }),
+            sensor: Sensor { gain: 0.97, ..Sensor::new(500.0, 2, 230.0, Channel::Axial) },
+        };
+        let [mut wide, mut narrow] = [begin.clone(), begin.clone()];
+        with_wide_registers(sensing(&mut wide));
+        sensing(&mut narrow).run();
+        assert!(wide == narrow && wide != begin);
+        assert!(wide.as_flattened().iter().any(|reading_g| *reading_g == 230.0), "one reaches the limit");
+    }
 }

@@ -9,6 +9,7 @@ mod bezier;
 mod fine_wave;
 mod hidden;
 mod plan;
+mod plan_number;
 mod plan_text;
 mod records;
 mod scatter_law;
@@ -19,7 +20,8 @@ mod trajectory;
 mod whole_record;
 
 pub use hidden::Hidden;
-pub use plan::{HEIGHT_BOUNDS_M, HEIGHTS, HIDDEN_NUMBERS, KIND, LAW, PLAN_NUMBERS, Plan, TrialVariation};
+pub use plan::{HEIGHT_BOUNDS_M, HEIGHTS, KIND, LAW, Plan, TrialVariation};
+pub use plan_number::{PLAN_NUMBERS, PlanNumber};
 pub use records::records;
 pub use scatter_law::ScatterLaw;
 pub use stalls::Stalls;

@@ -1,6 +1,6 @@
 //! A plan of synthetic drops, from a file.
 
-use super::{HeavyFeet, Hidden, Landings, ScatterLaw, Stalls};
+use super::{HeavyFeet, Hidden, Landings, PLAN_NUMBERS, PlanNumber, ScatterLaw, Stalls};
 use crate::impact::effects::{Generator, Model, Spec};
 use crate::params::refusal::{Reason, Refusal, nearest};
 use crate::params::{ImpactFile, LoadError};
@@ -54,45 +54,6 @@ const MOST_READINGS: f64 = 2e7;
 /// Length of a record of the impact alone, s.
 const IMPACT_S: f64 = 0.05;
 
-/// A plain number of a plan: key, bounds, unit, and default.
-pub const PLAN_NUMBERS: [(&str, [f64; 2], &str, f64); 26] = [
-    ("drops.count", [2.0, 100_000.0], "1", 20.0),
-    ("drops.seed", [0.0, 9e15], "1", 1.0),
-    ("scatter.share", [0.0, 2.0], "1", 0.1),
-    ("scatter.correlation_ms", [0.01, 1000.0], "ms", 1.5),
-    ("scatter.stiffness", [0.0, 0.5], "1", 0.0),
-    ("scatter.damping", [0.0, 0.5], "1", 0.0),
-    ("scatter.tilt_deg", [0.0, 45.0], "deg", 0.0),
-    ("logger.noise_g", [0.0, 50.0], "g", 0.17),
-    ("logger.counts_per_g", [0.1, 1e6], "1/g", 8.877),
-    ("logger.rate_hz", [200.0, 200_000.0], "Hz", 1000.0),
-    ("logger.record_s", [0.0, 20.0], "s", 0.0),
-    ("logger.stall_ms", [0.0, 1000.0], "ms", 0.0),
-    ("logger.sector_samples", [50.0, 1e6], "1", 409.6),
-    ("logger.catch_up", [1.1, 100.0], "1", 2.7),
-    ("landing.rate_rad_s", [0.0, 3.0], "rad/s", 0.0),
-    ("landing.at_release_rad", [0.0, 0.5], "rad", 0.0),
-    ("landing.inertia_kg_m2", [1e-5, 0.1], "kg m2", 8e-4),
-    ("landing.foot_radius_mm", [20.0, 1000.0], "mm", 144.5),
-    ("landing.foot_share", [0.0, 0.6], "1", 0.0),
-    ("landing.foot_f_hz", [20.0, 2000.0], "Hz", 250.0),
-    ("landing.foot_zeta", [0.0, 2.0], "1", 0.05),
-    ("landing.touch_g", [0.0, 500.0], "g", 0.0),
-    ("landing.ringing_g", [0.0, 500.0], "g", 0.0),
-    ("landing.sensor_lean_x_deg", [-30.0, 30.0], "deg", 0.0),
-    ("landing.sensor_lean_y_deg", [-30.0, 30.0], "deg", 0.0),
-    ("hidden.loss", [0.0, 1.0], "1", 0.5),
-];
-/// What a hidden truth takes: key, bounds, unit.
-pub const HIDDEN_NUMBERS: [(&str, [f64; 2], &str); 7] = [
-    ("hidden.x1_mm", [0.1, 60.0], "mm"),
-    ("hidden.stiffness_n_m", [0.0, 1e6], "N/m"),
-    ("hidden.share_1", [0.0, 0.45], "1"),
-    ("hidden.share_2", [0.0, 0.45], "1"),
-    ("hidden.f_1_hz", [20.0, 1000.0], "Hz"),
-    ("hidden.f_2_hz", [20.0, 1000.0], "Hz"),
-    ("hidden.zeta", [0.005, 1.5], "1"),
-];
 /// Key of the heights.
 pub const HEIGHTS: &str = "drops.heights_m";
 /// Least and highest drop, m.
@@ -118,13 +79,7 @@ impl Plan {
     /// What it says that cannot be, with its place.
     pub fn resolve(file: &ImpactFile) -> Result<Self, Refusal> {
         let own = |key: &str| OWN.iter().any(|table| key.starts_with(table));
-        let known: Vec<String> = PLAN_NUMBERS
-            .iter()
-            .map(|number| number.0)
-            .chain(HIDDEN_NUMBERS.iter().map(|number| number.0))
-            .chain([HEIGHTS, KIND, LAW])
-            .map(String::from)
-            .collect();
+        let known: Vec<String> = PLAN_NUMBERS.iter().map(|number| number.key).chain([HEIGHTS, KIND, LAW]).map(String::from).collect();
         file.part(own).only(&known, &[])?;
         let of_model = file.part(|key| !own(key));
         // A misspelt table of the plan is none of the model, which knows the names of its own only.
@@ -137,31 +92,21 @@ impl Plan {
             return Err(file.refuse(key, Reason::UnknownKey { key: key.clone(), nearest }));
         }
         let model = Model::resolve(&of_model)?;
-        let number = |key: &str| -> Result<f64, Refusal> {
-            let (_, bounds, unit, default) = PLAN_NUMBERS[PLAN_NUMBERS.iter().position(|known| known.0 == key).unwrap_or(0)];
-            Ok(file.number(key, bounds, unit)?.unwrap_or(default))
-        };
-        let whole = |key: &str| -> Result<u64, Refusal> {
-            let value = number(key)?;
-            let reason =
-                || Reason::Impossible { message: format!("`{key}` = {value} is no whole number"), remedy: "give a whole number".into() };
-            if value.fract() == 0.0 { Ok(value as u64) } else { Err(file.refuse(key, reason())) }
-        };
         let scatter = TrialVariation {
-            share: number("scatter.share")?,
+            share: PlanNumber::SCATTER_SHARE.read(file)?,
             law: if file.entries.contains_key(LAW) {
                 ScatterLaw::ALL[file.word(LAW, &ScatterLaw::NAMES)?]
             } else {
                 ScatterLaw::Proportional
             },
-            correlation_s: number("scatter.correlation_ms")? * 1e-3,
-            stiffness: number("scatter.stiffness")?,
-            damping: number("scatter.damping")?,
-            tilt_deg: number("scatter.tilt_deg")?,
+            correlation_s: PlanNumber::SCATTER_CORRELATION_MS.read(file)? * 1e-3,
+            stiffness: PlanNumber::SCATTER_STIFFNESS.read(file)?,
+            damping: PlanNumber::SCATTER_DAMPING.read(file)?,
+            tilt_deg: PlanNumber::SCATTER_TILT_DEG.read(file)?,
         };
-        let landings = landings(file, &number, &model)?;
-        let (heights_m, drops) = (heights_m(file)?, whole("drops.count")? as usize);
-        let (rate_hz, stalls) = (number("logger.rate_hz")?, stalls(file, &number)?);
+        let landings = landings(file, &model)?;
+        let (heights_m, drops) = (heights_m(file)?, PlanNumber::DROPS_COUNT.read_whole(file)? as usize);
+        let (rate_hz, stalls) = (PlanNumber::LOGGER_RATE_HZ.read(file)?, stalls(file)?);
         let record_s = stalls.map_or(IMPACT_S, |stalls| stalls.record_s);
         let readings = heights_m.len() as f64 * drops as f64 * rate_hz * record_s;
         if readings > MOST_READINGS {
@@ -174,16 +119,16 @@ impl Plan {
         }
         Ok(Self {
             model,
-            hidden: hidden(file, number("hidden.loss")?)?,
+            hidden: hidden(file, PlanNumber::HIDDEN_LOSS.read(file)?)?,
             heights_m,
             drops,
             scatter,
-            noise_g: number("logger.noise_g")?,
-            counts_per_g: number("logger.counts_per_g")?,
+            noise_g: PlanNumber::LOGGER_NOISE_G.read(file)?,
+            counts_per_g: PlanNumber::LOGGER_COUNTS_PER_G.read(file)?,
             rate_hz,
             stalls,
             landings,
-            seed: whole("drops.seed")?,
+            seed: PlanNumber::DROPS_SEED.read_whole(file)?,
         })
     }
 }
@@ -205,12 +150,12 @@ fn heights_m(file: &ImpactFile) -> Result<Vec<f64>, Refusal> {
 }
 
 /// A logger of whole records; one that stalls has to write such.
-fn stalls(file: &ImpactFile, number: &dyn Fn(&str) -> Result<f64, Refusal>) -> Result<Option<Stalls>, Refusal> {
+fn stalls(file: &ImpactFile) -> Result<Option<Stalls>, Refusal> {
     let stalls = Stalls {
-        lost_s: number("logger.stall_ms")? * 1e-3,
-        sector: number("logger.sector_samples")?,
-        catch_up: number("logger.catch_up")?,
-        record_s: number("logger.record_s")?,
+        lost_s: PlanNumber::LOGGER_STALL_MS.read(file)? * 1e-3,
+        sector: PlanNumber::LOGGER_SECTOR_SAMPLES.read(file)?,
+        catch_up: PlanNumber::LOGGER_CATCH_UP.read(file)?,
+        record_s: PlanNumber::LOGGER_RECORD_S.read(file)?,
     };
     if stalls.lost_s > 0.0 && stalls.record_s == 0.0 {
         let message = "`logger.stall_ms` needs whole records, and `logger.record_s` is 0".into();
@@ -227,16 +172,19 @@ fn stalls(file: &ImpactFile, number: &dyn Fn(&str) -> Result<f64, Refusal>) -> R
 }
 
 /// Lateral axes. A landing that is not level knows spring, damper and forces that depend on motion alone; a sensor that leans writes no whole records.
-fn landings(file: &ImpactFile, number: &dyn Fn(&str) -> Result<f64, Refusal>, model: &Model) -> Result<Option<Landings>, Refusal> {
+fn landings(file: &ImpactFile, model: &Model) -> Result<Option<Landings>, Refusal> {
     let landings = Landings {
-        rate_rad_s: number("landing.rate_rad_s")?,
-        at_release_rad: number("landing.at_release_rad")?,
-        inertia_kg_m2: number("landing.inertia_kg_m2")?,
-        foot_radius_m: number("landing.foot_radius_mm")? * 1e-3,
-        touch_g: number("landing.touch_g")?,
-        sensor_lean_rad: [number("landing.sensor_lean_x_deg")?.to_radians(), number("landing.sensor_lean_y_deg")?.to_radians()],
-        ringing_g: number("landing.ringing_g")?,
-        heavy_feet: heavy_feet(number)?,
+        rate_rad_s: PlanNumber::LANDING_RATE_RAD_S.read(file)?,
+        at_release_rad: PlanNumber::LANDING_AT_RELEASE_RAD.read(file)?,
+        inertia_kg_m2: PlanNumber::LANDING_INERTIA_KG_M2.read(file)?,
+        foot_radius_m: PlanNumber::LANDING_FOOT_RADIUS_MM.read(file)? * 1e-3,
+        touch_g: PlanNumber::LANDING_TOUCH_G.read(file)?,
+        sensor_lean_rad: [
+            PlanNumber::LANDING_SENSOR_LEAN_X_DEG.read(file)?.to_radians(),
+            PlanNumber::LANDING_SENSOR_LEAN_Y_DEG.read(file)?.to_radians(),
+        ],
+        ringing_g: PlanNumber::LANDING_RINGING_G.read(file)?,
+        heavy_feet: heavy_feet(file)?,
     };
     let stated = file.entries.keys().find(|key| key.starts_with("landing.")).cloned();
     let clash = |key: &str| -> Refusal {
@@ -244,7 +192,7 @@ fn landings(file: &ImpactFile, number: &dyn Fn(&str) -> Result<f64, Refusal>, mo
         file.refuse(key, Reason::Impossible { message, remedy: format!("take `{key}` out, or the table `landing`") })
     };
     let leans = landings.sensor_lean_rad != [0.0; 2];
-    if leans && number("logger.record_s")? > 0.0 {
+    if leans && PlanNumber::LOGGER_RECORD_S.read(file)? > 0.0 {
         let key = if landings.sensor_lean_rad[0] != 0.0 { "landing.sensor_lean_x_deg" } else { "landing.sensor_lean_y_deg" };
         let message = format!("`{key}` and `logger.record_s` are both given; they cannot be combined");
         return Err(file.refuse(key, Reason::Impossible { message, remedy: format!("take `{key}` out, or `logger.record_s`") }));
@@ -289,8 +237,12 @@ fn knows_feet(spec: &Spec) -> bool {
 }
 
 /// Feet with mass of their own.
-fn heavy_feet(number: &dyn Fn(&str) -> Result<f64, Refusal>) -> Result<Option<HeavyFeet>, Refusal> {
-    let feet = HeavyFeet { share: number("landing.foot_share")?, f_hz: number("landing.foot_f_hz")?, zeta: number("landing.foot_zeta")? };
+fn heavy_feet(file: &ImpactFile) -> Result<Option<HeavyFeet>, Refusal> {
+    let feet = HeavyFeet {
+        share: PlanNumber::LANDING_FOOT_SHARE.read(file)?,
+        f_hz: PlanNumber::LANDING_FOOT_F_HZ.read(file)?,
+        zeta: PlanNumber::LANDING_FOOT_ZETA.read(file)?,
+    };
     Ok((feet.share > 0.0).then_some(feet))
 }
 
@@ -298,19 +250,19 @@ fn hidden(file: &ImpactFile, loss: f64) -> Result<Option<Hidden>, Refusal> {
     if !file.entries.contains_key(KIND) {
         return Ok(None);
     }
-    let stated = |key: &str| -> Result<f64, Refusal> {
-        let (_, bounds, unit) = HIDDEN_NUMBERS[HIDDEN_NUMBERS.iter().position(|known| known.0 == key).unwrap_or(0)];
-        file.stated(key, bounds, unit)
-    };
     Ok(Some(match Hidden::NAMES[file.word(KIND, &Hidden::NAMES)?] {
-        "two_stage" => Hidden::TwoStage { x1_m: stated("hidden.x1_mm")? * 1e-3, stiffness_n_m: stated("hidden.stiffness_n_m")?, loss },
+        "two_stage" => Hidden::TwoStage {
+            x1_m: PlanNumber::HIDDEN_X1_MM.read(file)? * 1e-3,
+            stiffness_n_m: PlanNumber::HIDDEN_STIFFNESS_N_M.read(file)?,
+            loss,
+        },
         "two_modes" => Hidden::TwoModes {
-            shares: [stated("hidden.share_1")?, stated("hidden.share_2")?],
-            f_hz: [stated("hidden.f_1_hz")?, stated("hidden.f_2_hz")?],
-            zeta: stated("hidden.zeta")?,
+            shares: [PlanNumber::HIDDEN_SHARE_1.read(file)?, PlanNumber::HIDDEN_SHARE_2.read(file)?],
+            f_hz: [PlanNumber::HIDDEN_F_1_HZ.read(file)?, PlanNumber::HIDDEN_F_2_HZ.read(file)?],
+            zeta: PlanNumber::HIDDEN_ZETA.read(file)?,
         },
         "wear" => Hidden::Wear { loss },
-        _ => Hidden::Snap { x1_m: stated("hidden.x1_mm")? * 1e-3, loss },
+        _ => Hidden::Snap { x1_m: PlanNumber::HIDDEN_X1_MM.read(file)? * 1e-3, loss },
     }))
 }
 

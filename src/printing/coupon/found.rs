@@ -6,8 +6,9 @@
 //! fit: the frame's bores keep the interference that they are designed with, and are drawn wider by as much as holes come out too small.
 
 use super::gauge;
+use crate::params::Frame;
+use crate::params::lookup::known;
 use crate::params::parameter::Parameter;
-use crate::params::{Frame, parameters};
 
 /// Clearances of rods that the frame is designed with, mm, on a printer whose holes come out as they are drawn: those of the preset
 /// `cognifly`. Those of the frame at hand may hold an earlier reading already, which would count twice.
@@ -62,7 +63,7 @@ impl Fit {
             Self::Slides => &["fit.slide_clearance_mm"],
             Self::Window => &["knee.knee_window_clearance_depth_mm", "knee.knee_window_clearance_height_mm"],
             Self::Plug => &["fit.plug_clearance_mm"],
-            Self::Hinge => &["corner.corner_hinge_thickness_mm"],
+            Self::Hinge => &[gauge::HINGE],
         }
     }
 
@@ -81,7 +82,7 @@ impl Fit {
             Self::Held | Self::Slides => gauge::bores_tenths(frame).collect(),
             Self::Window => gauge::WINDOWS_TENTHS.collect(),
             Self::Plug => gauge::BOSSES_TENTHS.collect(),
-            Self::Hinge => gauge::tongues(frame).to_vec(),
+            Self::Hinge => gauge::tongues(frame),
         }
     }
 }
@@ -119,24 +120,6 @@ pub enum FindingError {
         number_mm: f64,
         /// What it has, tenths of a millimetre.
         has: Vec<i32>,
-    },
-    /// What follows is no frame any more.
-    #[error(
-        "{name} = {number_mm} mm asks for {key} = {value:.1}, beyond its {min} to {max} mm: this printer's bores are off by more than a clearance should make good, so mend its flow or its hole compensation first"
-    )]
-    Beyond {
-        /// What was found.
-        name: &'static str,
-        /// The number, mm.
-        number_mm: f64,
-        /// The parameter.
-        key: &'static str,
-        /// What it would be, mm.
-        value: f64,
-        /// Least, mm.
-        min: f64,
-        /// Most, mm.
-        max: f64,
     },
     /// The other of the two readings of a rod is missing.
     #[error("{name} says where a rod's diameter lies together with {missing} only: read both")]
@@ -220,14 +203,11 @@ impl Found {
         for Self { fit, number_mm } in all {
             let value = (1e3 * fit.value_mm(*number_mm, by_mm)).round() / 1e3;
             for key in fit.sets() {
-                if let Some(Parameter { min, max, .. }) = parameter(key).filter(|p| !(p.min..=p.max).contains(&value)) {
-                    let (min, max) = (*min, *max);
-                    return Err(match (fit, rods) {
-                        (Fit::Held | Fit::Slides, Some([held_mm, slides_mm])) => {
-                            FindingError::Undersize { held_mm, slides_mm, by_mm, key, value, min, max }
-                        }
-                        _ => FindingError::Beyond { name: fit.name(), number_mm: *number_mm, key, value, min, max },
-                    });
+                // What else stands on a coupon is within its parameter's bounds.
+                if let (Some(Parameter { min, max, .. }), Some([held_mm, slides_mm])) =
+                    (known(key).filter(|p| !(p.min..=p.max).contains(&value)), rods)
+                {
+                    return Err(FindingError::Undersize { held_mm, slides_mm, by_mm, key, value, min: *min, max: *max });
                 }
                 set.push((*key, value));
             }
@@ -252,10 +232,6 @@ impl Fit {
 /// than it; rods that need some play to slide make it half of that play too much.
 fn undersize_mm([held_mm, slides_mm]: [f64; 2], rod_mm: f64) -> f64 {
     0.5 * (held_mm + slides_mm) - rod_mm
-}
-
-fn parameter(key: &str) -> Option<&'static Parameter> {
-    parameters().find(|p| key == format!("{}.{}", p.table, p.key))
 }
 
 #[cfg(test)]
@@ -286,7 +262,21 @@ mod tests {
             ]
         );
         for key in Fit::ALL.iter().flat_map(|fit| fit.sets()) {
-            assert!(parameter(key).is_some(), "{key}");
+            assert!(known(key).is_some(), "{key}");
+        }
+        // Whatever stands on the coupon of any frame: a web is no thinner than its parameter.
+        for thickness_mm in [1.5, 1.7, 2.3, 3.5] {
+            let mut frame = frame();
+            frame.corner.corner_hinge_thickness_mm = thickness_mm;
+            for fit in [Fit::Window, Fit::Plug, Fit::Hinge] {
+                assert!(!fit.numbers(&frame).is_empty());
+                for number_mm in fit.numbers(&frame).into_iter().map(|tenths| 0.1 * f64::from(tenths)) {
+                    for (key, value) in Found::parameters(&frame, &[Found { fit, number_mm }]).expect("stands on it") {
+                        let web = known(key).expect("is known");
+                        assert!((web.min..=web.max).contains(&value), "{thickness_mm} {key} {value}");
+                    }
+                }
+            }
         }
         let fit = frame().fit;
         assert_eq!((fit.grip_clearance_mm, fit.slide_clearance_mm), (GRIP_MM, SLIDE_MM));

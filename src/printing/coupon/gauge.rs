@@ -2,6 +2,7 @@
 
 use super::label::two_digits;
 use crate::params::Frame;
+use crate::params::lookup::known;
 use crate::solid::{Contour, Feature, Profile};
 use crate::units::Angle;
 
@@ -36,6 +37,9 @@ pub(super) const WINDOWS_TENTHS: std::ops::RangeInclusive<i32> = 0..=3;
 pub(super) const BOSSES_TENTHS: std::ops::RangeInclusive<i32> = 0..=4;
 /// Thinner than the frame's hinges, tenths of a millimetre.
 pub(super) const THINNER_TENTHS: [i32; 3] = [8, 4, 0];
+
+/// Key of the thickness of a web that folds.
+pub(super) const HINGE: &str = "corner.corner_hinge_thickness_mm";
 
 /// Tenths of a millimetre.
 pub(super) fn tenths(mm: f64) -> i32 {
@@ -124,9 +128,11 @@ pub(super) fn flexible(frame: &Frame) -> Feature {
     row.feature()
 }
 
-/// Thicknesses of the tongues, tenths of a millimetre.
-pub(super) fn tongues(frame: &Frame) -> [i32; 3] {
-    THINNER_TENTHS.map(|thinner| tenths(frame.corner.corner_hinge_thickness_mm) - thinner)
+/// Thicknesses of the tongues, tenths of a millimetre: none is thinner than a web may be.
+pub(super) fn tongues(frame: &Frame) -> Vec<i32> {
+    let least = known(HINGE).map_or(0, |web| tenths(web.min));
+    let all = THINNER_TENTHS.map(|thinner| tenths(frame.corner.corner_hinge_thickness_mm) - thinner);
+    all.into_iter().filter(|thickness| *thickness >= least).collect()
 }
 
 /// The bar of the fork, with a plug of the hub joint at its end.

@@ -149,6 +149,8 @@ impl PrintSettings {
 
 /// How far infill reaches over walls. PrusaSlicer counts what lies there twice: at its own 25 % the thirteen parts take 2 % more
 /// than their volume, up to 5 % where walls are most of a part; at 15 % 0.9 % more, -2.4 to +3.9 %; at none thin walls lack 4 %.
+///
+/// *When it is wrong:* these are figures of layers of 0.2 mm from a nozzle of 0.4 mm. A plate of TPU in layers of 0.1 mm took 6 % more than its volume.
 const OVERLAP: &str = "15%";
 
 #[cfg(test)]

@@ -55,10 +55,12 @@ impl Walls {
     }
 }
 
-/// Heights of cuts, and of what each stands for, mm: where nothing changes one is enough.
+/// Heights of cuts, and of what each stands for, mm, up to the top of the part: where nothing changes one is enough.
 fn heights(mesh: &Mesh, layer_mm: f64) -> Vec<(f64, f64)> {
     let step_mm = layer_mm * (STEP_MM / layer_mm).ceil();
-    let count = (mesh.bounds_mm()[1][2] / step_mm).floor().max(1.0) as usize;
+    let top_mm = mesh.bounds_mm()[1][2];
+    // A last slice that is no layer high has no middle of one.
+    let count = ((top_mm - 0.5 * layer_mm) / step_mm).ceil().max(1.0) as usize;
     let mut changes = vec![false; count];
     for triangle in &mesh.triangles {
         let [a, b, c] = mesh.corners(triangle);
@@ -74,9 +76,11 @@ fn heights(mesh: &Mesh, layer_mm: f64) -> Vec<(f64, f64)> {
     }
     let mut heights: Vec<(f64, f64)> = Vec::new();
     for (at, changes) in changes.into_iter().enumerate() {
+        let low_mm = at as f64 * step_mm;
+        let height_mm = step_mm.min(top_mm - low_mm);
         match heights.last_mut().filter(|_| !changes) {
-            Some((_, height_mm)) => *height_mm += step_mm,
-            None => heights.push((at as f64 * step_mm + 0.5 * layer_mm, step_mm)),
+            Some((_, all_mm)) => *all_mm += height_mm,
+            None => heights.push((low_mm + 0.5 * layer_mm, height_mm)),
         }
     }
     heights

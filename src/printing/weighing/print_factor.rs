@@ -7,18 +7,25 @@
 
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
-/// A weighed part beside its solid.
+/// A weighed part beside its solid, of one reading or of several.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ratio {
     /// On the scale, g.
     pub weighed_g: f64,
     /// Volume times density, g.
     pub solid_g: f64,
-    /// The scale's last digit, g.
+    /// The scale's last digit, g; of several readings, the root of the sum of their squares.
     pub resolution_g: f64,
 }
 
 impl Ratio {
+    /// All readings of one part as one: what this part is printed fuller or emptier by is in each of them, so they are no several parts.
+    pub fn joined(readings: &[Self]) -> Self {
+        let sum = |of: fn(&Self) -> f64| readings.iter().map(of).sum();
+        let squares: f64 = sum(|ratio| ratio.resolution_g * ratio.resolution_g);
+        Self { weighed_g: sum(|ratio| ratio.weighed_g), solid_g: sum(|ratio| ratio.solid_g), resolution_g: squares.sqrt() }
+    }
+
     /// Weighed over solid.
     pub fn value(&self) -> f64 {
         self.weighed_g / self.solid_g
@@ -35,28 +42,28 @@ impl Ratio {
 pub struct PrintFactor {
     /// The factor.
     pub value: f64,
-    /// Where it lies with 95 %; `None` for a single reading, which says nothing about scatter.
+    /// Where it lies with 95 %; `None` for a single part, which says nothing about scatter.
     pub interval: Option<[f64; 2]>,
     /// Standard deviation from part to part beyond the scale's rounding.
     pub scatter: f64,
-    /// Readings.
-    pub readings: usize,
+    /// Parts that were weighed.
+    pub parts: usize,
 }
 
 impl PrintFactor {
-    /// Of at least one reading; `None` without.
+    /// Of at least one part, each once; `None` without.
     pub fn fit(ratios: &[Ratio]) -> Option<Self> {
-        let readings = ratios.len();
-        if readings < 2 {
+        let parts = ratios.len();
+        if parts < 2 {
             let value = ratios.first()?.value();
-            return Some(Self { value, interval: None, scatter: 0.0, readings });
+            return Some(Self { value, interval: None, scatter: 0.0, parts });
         }
-        let freedom = (readings - 1) as f64;
+        let freedom = (parts - 1) as f64;
         let between = between(ratios, freedom);
         let Weighted { mean, weight, squares } = Weighted::of(ratios, between);
         let error = ((squares / freedom).max(1.0) / weight).sqrt();
         let half = student(freedom) * error;
-        Some(Self { value: mean, interval: Some([mean - half, mean + half]), scatter: between.sqrt(), readings })
+        Some(Self { value: mean, interval: Some([mean - half, mean + half]), scatter: between.sqrt(), parts })
     }
 }
 

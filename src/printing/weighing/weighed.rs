@@ -92,7 +92,7 @@ pub struct Row {
     pub counted_g: f64,
     /// What a slicer fills it with.
     pub sliced: Option<Sliced>,
-    /// On the scale, mean of its readings, g.
+    /// On the scale, mean of all that were weighed, g.
     pub weighed_g: Option<f64>,
 }
 
@@ -134,17 +134,18 @@ impl Weighing {
         sliced: &BTreeMap<PartName, Sliced>,
     ) -> Result<Self, (usize, Misread)> {
         let mut rows: Vec<Row> = design.printed.iter().map(|part| row(design, part, sliced)).collect();
-        let mut ratios: BTreeMap<PartName, Vec<Ratio>> = BTreeMap::new();
+        let mut of_parts: BTreeMap<PartName, Vec<Ratio>> = BTreeMap::new();
         for (at, reading) in readings.iter().enumerate() {
             let (part, ratio) = placed(&rows, reading).map_err(|misread| (at, misread))?;
-            ratios.entry(part).or_default().push(ratio);
+            of_parts.entry(part).or_default().push(ratio);
         }
+        let ratios: BTreeMap<PartName, Ratio> = of_parts.into_iter().map(|(part, of)| (part, Ratio::joined(&of))).collect();
         for row in &mut rows {
-            row.weighed_g = ratios.get(&row.part).map(|of| row.solid_g * of.iter().map(Ratio::value).sum::<f64>() / of.len() as f64);
+            row.weighed_g = ratios.get(&row.part).map(|ratio| row.solid_g * ratio.value());
         }
         let fitted = [&design.frame.flexible, &design.frame.rigid].map(|material| {
             let of = || rows.iter().filter(|row| row.material == material.name);
-            let weighed: Vec<Ratio> = of().filter_map(|row| ratios.get(&row.part)).flatten().copied().collect();
+            let weighed: Vec<Ratio> = of().filter_map(|row| ratios.get(&row.part)).copied().collect();
             let solid_g = of().map(|row| f64::from(row.quantity) * row.solid_g).sum();
             Fitted { material: material.name.clone(), before: material.material.print_factor, after: PrintFactor::fit(&weighed), solid_g }
         });
@@ -247,6 +248,19 @@ mod tests {
         let wanted_g = masses.total_g - printed(&factor_of) + printed(&planted);
         let (after_g, half_g) = found.after_g();
         assert!((after_g - wanted_g).abs() < 0.1 && half_g.is_some_and(|half| half > 0.0 && half < 0.2), "{after_g} {wanted_g} {half_g:?}");
+    }
+
+    /// Weighed four times, one part is still one part: it tells its mean, and nothing of other parts.
+    #[test]
+    fn planted_one_part_weighed_again_says_nothing_about_scatter() {
+        let design = design();
+        let masses = mass::table(&design);
+        let again = [reading("hub", 1, 9.80), reading("hub", 1, 9.81), reading("hub", 2, 19.62), reading("hub", 1, 9.80)];
+        let found = Weighing::new(&design, &masses, &again, &BTreeMap::new()).expect("holds");
+        let after = found.fitted[0].after.expect("is fitted");
+        assert!(after.interval.is_none() && after.parts == 1 && found.after_g().1.is_none(), "{after:?}");
+        let hub = found.rows.iter().find(|row| row.part == PartName::Hub).expect("has one");
+        assert!(hub.weighed_g.is_some_and(|weighed_g| (weighed_g - 49.03 / 5.0).abs() < 1e-9), "{hub:?}");
     }
 
     #[test]

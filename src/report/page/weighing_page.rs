@@ -81,10 +81,10 @@ fn factors(weighing: &Weighing) -> String {
         };
         let within = match after.interval {
             Some([low, high]) => format!("95 % interval {low:.3} to {high:.3}, {:.1} % from part to part", 100.0 * after.scatter),
-            None => "one reading says nothing about scatter: weigh another part".into(),
+            None => "one part says nothing about scatter: weigh another one, too".into(),
         };
-        let readings = if after.readings == 1 { "1 reading".into() } else { format!("{} readings", after.readings) };
-        let _ = writeln!(text, "{material}: print factor {:.3} by {readings} ({within}), was {before:.3}", after.value);
+        let parts = if after.parts == 1 { "1 part".into() } else { format!("{} parts", after.parts) };
+        let _ = writeln!(text, "{material}: print factor {:.3} by {parts} ({within}), was {before:.3}", after.value);
     }
     let (after_g, half_g) = weighing.after_g();
     let half = half_g.map_or(String::new(), |half_g| format!(" +- {half_g:.1}"));
@@ -109,7 +109,7 @@ pub fn json(frame: &str, weighing: &Weighing) -> Value {
         json!({
             "material": fitted.material, "before": fitted.before, "solid_g": fitted.solid_g,
             "print_factor": fitted.after.map(|after| after.value), "ci95": fitted.after.and_then(|after| after.interval),
-            "scatter": fitted.after.map(|after| after.scatter), "readings": fitted.after.map_or(0, |after| after.readings),
+            "scatter": fitted.after.map(|after| after.scatter), "parts": fitted.after.map_or(0, |after| after.parts),
         })
     };
     let (after_g, half_g) = weighing.after_g();

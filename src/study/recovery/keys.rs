@@ -10,7 +10,7 @@ use crate::impact::synthetic::ScatterLaw;
 use crate::params::files::Files;
 use crate::params::refusal::Refusal;
 use crate::params::{ImpactFile, LoadError};
-use crate::study::plan_keys::{impossible, named, only_known, whole, wholes};
+use crate::study::plan_keys::{each_once, impossible, named, only_known, whole, wholes};
 
 /// Keys beside the table `seeds`.
 const KEYS: [&str; 11] = [
@@ -66,6 +66,7 @@ pub(in crate::study) fn setting(file: &ImpactFile, files: &dyn Files) -> Result<
     let base = Model::load_from(BASE, files)?;
     let effects = effects(file, &base)?;
     let strengths = if file.entries.contains_key("strengths") { file.numbers("strengths", STRENGTH, "1")? } else { STRENGTHS.to_vec() };
+    each_once(file, "strengths", &strengths)?;
     let mut recovery = Recovery {
         base,
         cases: Vec::new(),
@@ -111,6 +112,7 @@ fn effects(file: &ImpactFile, base: &Model) -> Result<Vec<&'static Spec>, Refusa
 
 fn laws(file: &ImpactFile) -> Result<Vec<ScatterLaw>, Refusal> {
     let Some(names) = file.texts("laws")? else { return Ok(vec![ScatterLaw::Proportional]) };
+    each_once(file, "laws", &names)?;
     let known = ScatterLaw::NAMES.map(String::from);
     let one = |name: &String| {
         let found = known.iter().position(|known| known == name).map(|at| ScatterLaw::ALL[at]);
@@ -134,10 +136,12 @@ fn seeds(file: &ImpactFile, key: &str) -> Result<std::ops::Range<u64>, Refusal> 
 /// The rows, seed by seed: those of one seed follow each other, as some of their figures have steps in common.
 fn cases(file: &ImpactFile, recovery: &Recovery) -> Result<Vec<Case>, Refusal> {
     let levels = wholes(file, "levels", LEVELS)?.unwrap_or_else(|| vec![2]);
+    each_once(file, "levels", &levels)?;
     let laws = laws(file)?;
     let pair_strength = file.number("pair_strength", STRENGTH, "1")?.unwrap_or(PAIR_STRENGTH);
     let rates =
         if file.entries.contains_key("rates_rad_s") { file.numbers("rates_rad_s", RATE_RAD_S, "rad/s")? } else { RATES_RAD_S.to_vec() };
+    each_once(file, "rates_rad_s", &rates)?;
     let [nothing, one, two, outsiders, sloped, rubbing, heavy, level_ones] = SEEDS.map(|key| seeds(file, key));
     let (nothing, one, two, outsiders) = (nothing?, one?, two?, outsiders?);
     let (sloped, rubbing, heavy, level_ones) = (sloped?, rubbing?, heavy?, level_ones?);

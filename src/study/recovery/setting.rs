@@ -48,11 +48,11 @@ impl Recovery {
         let is_used = |name: &&str| self.cases.iter().any(|case| case.law.name() == *name);
         let laws = ScatterLaw::NAMES.into_iter().filter(is_used).map(String::from).collect();
         let axes = vec![
-            Axis::Stated("level"),
+            Axis::Stated("level".into()),
             Axis::Name { key: "law".into(), names: laws },
             Axis::Name { key: "truth".into(), names: truths },
-            Axis::Stated("strength"),
-            Axis::Stated("seed"),
+            Axis::Stated("strength".into()),
+            Axis::Stated("seed".into()),
         ];
         (axes, self.cases.iter().map(Case::inputs).collect())
     }
