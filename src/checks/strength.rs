@@ -24,7 +24,7 @@ pub static RULE: Rule = Rule {
     id: "design_drop",
     title: "Design drop",
     requires: "acceleration, strain and rod compression in the design drop are within their limits",
-    units: &["g", "%", "N", "m/s", "MPa"],
+    units: &["g", "%", "N", "m/s", ""],
     limits: &[Limit::Mechanics],
     levers: Levers::Sets(&[PAYLOAD, STRETCH, BUCKLING, MODULUS, ground::LEVERS]),
     blame: Blame::Levers,
@@ -60,10 +60,16 @@ pub fn strength(design: &Design, masses: &MassTable, limits: &DropLimits, found:
     }
     findings.extend(strike(design, masses, found));
     findings.extend(found.doubt.as_ref().map(|doubt| {
-        let unknown = Measure { rule: RULE.id, value: found.young_mpa, limit: found.young_mpa, unit: "MPa", levers: MODULUS };
+        let unknown = Measure { rule: RULE.id, value: 1.0, limit: 0.0, unit: "", levers: MODULUS };
         unknown.note(format!("modulus of {}", design.frame.flexible.name), doubt.clone())
     }));
     findings
+}
+
+/// A design drop that ends in no figures, as the frame gives way: its limits are not kept.
+pub fn gives_way(why: &str) -> Finding {
+    let lost = Measure { rule: RULE.id, value: 1.0, limit: 0.0, unit: "", levers: PAYLOAD };
+    lost.at_most("frame".into(), format!("the design drop cannot be followed: {why}"))
 }
 
 /// The lowest body where it hits the ground.

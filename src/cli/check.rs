@@ -90,12 +90,13 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let (baseline, former) = if args.update_baseline { (None, known) } else { (known, None) };
     let policy = Policy { strict: args.strict, baseline: baseline.as_ref(), ..Policy::default() };
     let memo = cache::memo(common);
+    let mechanics = session::mechanics(&args.mechanics)?;
     let working = Progress::of("checking", common);
     let mut messages = Vec::new();
     let outcomes: Vec<Outcome> = names
         .into_iter()
         .map(|asked| {
-            let result = hold(&asked, args, policy, &memo).map_err(|failure| {
+            let result = hold(&asked, args, mechanics.as_ref(), policy, &memo).map_err(|failure| {
                 messages.push(failure.render());
                 refused(&failure)
             });
@@ -134,7 +135,13 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
 }
 
 /// One frame's findings.
-fn hold(asked: &str, args: &Args, policy: Policy, memo: &Arc<Memo>) -> Result<CheckedFrame, Failure> {
+fn hold(
+    asked: &str,
+    args: &Args,
+    mechanics: Option<&MechanicsSettings>,
+    policy: Policy,
+    memo: &Arc<Memo>,
+) -> Result<CheckedFrame, Failure> {
     let (frame, file) = session::load(&FrameOption { frame: asked.into(), rigid: args.rigid.clone() })?;
     let found = memo.try_get("findings", &frame.name, &frame, || {
         let design = session::designed(frame.clone(), &file, memo)?;
@@ -142,8 +149,8 @@ fn hold(asked: &str, args: &Args, policy: Policy, memo: &Arc<Memo>) -> Result<Ch
         Ok::<_, Failure>((checks::check(&design, &masses), masses))
     })?;
     let (mut findings, masses) = (*found).clone();
-    if let Some(settings) = session::mechanics(&args.mechanics)? {
-        findings.extend(strength(frame.clone(), &file, &settings, memo)?);
+    if let Some(settings) = mechanics {
+        findings.extend(strength(frame.clone(), &file, settings, memo)?);
     }
     let listed = args.baseline.as_ref().map(|list| listed_file(asked, list));
     let policy = Policy { file: listed.as_deref(), ..policy };
@@ -155,8 +162,11 @@ fn hold(asked: &str, args: &Args, policy: Policy, memo: &Arc<Memo>) -> Result<Ch
 fn strength(frame: Frame, file: &FrameFile, settings: &MechanicsSettings, memo: &Arc<Memo>) -> Result<Vec<Finding>, Failure> {
     let design = session::designed(frame, file, memo)?;
     let masses = mass::table(&design);
-    let found = predict(&design, &masses, settings).map_err(mechanics_refused)?;
-    Ok(checks::strength(&design, &masses, &settings.limits, &found))
+    match predict(&design, &masses, settings) {
+        Ok(found) => Ok(checks::strength(&design, &masses, &settings.limits, &found)),
+        Err(error) if error.gives_way() => Ok(vec![checks::gives_way(&error.to_string())]),
+        Err(error) => Err(mechanics_refused(error)),
+    }
 }
 
 fn refused(failure: &Failure) -> Refused {
@@ -257,7 +267,7 @@ fn say(args: &Args, common: &Common, outcomes: &[Outcome]) -> Result<(), Failure
         CheckFormat::Text if common.quiet => {
             for held in outcomes.iter().filter_map(|outcome| outcome.result.as_ref().ok()) {
                 let name = if outcomes.len() > 1 { format!("{}: ", held.frame) } else { String::new() };
-                held.of(Standing::Fails).for_each(|judged| terminal::tell(&format!("{name}{}", judged.finding.message)));
+                held.of(Standing::Fails).for_each(|judged| terminal::tell(&format!("{name}{}", judged.message())));
             }
             Ok(())
         }

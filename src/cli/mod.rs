@@ -77,7 +77,13 @@ struct Arguments {
 impl Arguments {
     /// Whether standard output is JSON, of an error, too.
     fn wants_json(&self) -> bool {
-        self.common.json || matches!(&self.command, Command::Check(args) if args.wants_json())
+        let by_format = match &self.command {
+            Command::Check(args) => args.wants_json(),
+            Command::Diff(args) => args.format == Some(options::PageFormat::Json),
+            Command::Bom(args) => args.format == Some(bom::BomFormat::Json),
+            _ => false,
+        };
+        self.common.json || by_format
     }
 }
 

@@ -1,6 +1,6 @@
 //! Files as they were at a revision of a git repository, read by the `git` that is installed.
 
-use std::io;
+use std::io::{self, Write};
 use std::path::{Component, Path, PathBuf};
 use std::process::{Command, Stdio};
 
@@ -67,6 +67,27 @@ impl Revision {
     }
 }
 
+impl Revision {
+    /// The content of a file of this revision, as git calls it: of a link, of what it leads to. None where there is no such file, or a link leads out
+    /// of the repository.
+    fn blob(&self, path: &Path) -> Option<String> {
+        let object = self.object(path)?;
+        let mut child = command(self.found, &self.top, &["cat-file", "--batch-check", "--follow-symlinks"])
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .spawn()
+            .ok()?;
+        // A name with a line's end would be two of them.
+        let asked = !object.contains('\n') && child.stdin.take().is_some_and(|mut to| writeln!(to, "{object}").is_ok());
+        let output = child.wait_with_output().ok().filter(|_| asked)?;
+        let told = String::from_utf8(output.stdout).ok()?;
+        match told.split_whitespace().collect::<Vec<_>>()[..] {
+            [name, "blob", _] => Some(name.into()),
+            _ => None,
+        }
+    }
+}
+
 /// A path without `.` and `..`.
 fn plain(path: &Path) -> PathBuf {
     let mut plain = PathBuf::new();
@@ -82,14 +103,13 @@ fn plain(path: &Path) -> PathBuf {
 
 impl Files for Revision {
     fn is_file(&self, path: &Path) -> bool {
-        let object = self.object(path);
-        object.is_some_and(|object| matches!(git(self.found, &self.top, &["cat-file", "-t", &object]), Ok(Some(kind)) if kind == "blob"))
+        self.blob(path).is_some()
     }
 
     fn bytes(&self, path: &Path, most: u64) -> io::Result<Vec<u8>> {
         let nowhere = || io::Error::new(io::ErrorKind::NotFound, format!("it is not in {}", self.short()));
-        let object = self.object(path).ok_or_else(nowhere)?;
-        let mut child = command(self.found, &self.top, &["cat-file", "blob", &object]).stdout(Stdio::piped()).spawn()?;
+        let blob = self.blob(path).ok_or_else(nowhere)?;
+        let mut child = command(self.found, &self.top, &["cat-file", "blob", &blob]).stdout(Stdio::piped()).spawn()?;
         let mut bytes = Vec::new();
         if let Some(out) = child.stdout.take() {
             io::Read::read_to_end(&mut io::Read::take(out, most), &mut bytes)?;

@@ -4,7 +4,7 @@ use crate::mechanics::element::relaxation::Relaxation;
 use crate::mechanics::parts::section::Elastic;
 use crate::params::catalogue::Material;
 use crate::params::frame::NamedMaterial;
-use crate::params::refusal::Refusal;
+use crate::params::refusal::{Reason, Refusal};
 use crate::params::{ImpactFile, LoadError};
 
 /// The numbers.
@@ -147,11 +147,27 @@ impl MechanicsSettings {
         for Key { name, bounds, unit, of } in &KEYS {
             *of(&mut settings) = file.stated(name, *bounds, unit)?;
         }
-        let [low_mpa, high_mpa] = settings.young_band_mpa;
-        settings.young_band_mpa = [low_mpa.min(settings.young_mpa), high_mpa.max(settings.young_mpa)];
+        settings.lies_in_its_band(file)?;
         settings.socket_elements = settings.socket_elements.round();
         settings.tensile_mpa = file.number(TENSILE.0, TENSILE.1, TENSILE.2)?;
         Ok(settings)
+    }
+
+    /// Refuses a modulus beside the band in which it is known to lie.
+    fn lies_in_its_band(&self, file: &ImpactFile) -> Result<(), Refusal> {
+        let (young_mpa, [low_mpa, high_mpa]) = (self.young_mpa, self.young_band_mpa);
+        let beside = |key: &str, bound_mpa: f64, way: &str| {
+            let message = format!("`{key}` = {bound_mpa} MPa is {way} than `flexible.young_mpa` = {young_mpa} MPa");
+            let remedy = "state a modulus within the band in which it is known, or another band".into();
+            Err(file.refuse(key, Reason::Impossible { message, remedy }))
+        };
+        if low_mpa > young_mpa {
+            return beside("flexible.young_low_mpa", low_mpa, "more");
+        }
+        if high_mpa < young_mpa {
+            return beside("flexible.young_high_mpa", high_mpa, "less");
+        }
+        Ok(())
     }
 
     /// The same for the flexible material of a frame: its modulus is to that of these numbers as the data sheets' moduli are to each other. A frame
@@ -185,8 +201,8 @@ impl MechanicsSettings {
     #[must_use]
     pub fn with_band(&self, band_mpa: [f64; 2]) -> Self {
         let [low, high] = ["flexible.young_low_mpa", "flexible.young_high_mpa"].map(bounds);
-        let [low_mpa, high_mpa] = band_mpa;
-        Self { young_band_mpa: [low_mpa.clamp(low[0], low[1]), high_mpa.clamp(high[0], high[1])], ..self.clone() }
+        let ends_mpa = [band_mpa[0].min(self.young_mpa), band_mpa[1].max(self.young_mpa)];
+        Self { young_band_mpa: [ends_mpa[0].clamp(low[0], low[1]), ends_mpa[1].clamp(high[0], high[1])], ..self.clone() }
     }
 
     /// The flexible material at rest.
@@ -277,12 +293,21 @@ mod tests {
         assert_eq!(MechanicsSettings::read(&file).expect("is sound"), settings);
     }
 
+    /// A band that begins above the modulus.
+    fn other_band(text: &str) -> String {
+        let line = text.lines().find(|line| line.starts_with("young_low_mpa")).expect("is stated");
+        text.replace(line, "young_low_mpa = 300.0")
+    }
+
     #[test]
     fn planted_a_missing_and_an_unknown_number_are_refused() {
         let text = MechanicsSettings::load(None).expect("is sound").to_toml("");
-        for wrong in
-            [text.replace("poisson", "poison"), text.replace("friction = 0.3", "friction = 3.0"), text.replace("[ground]", "[sky]")]
-        {
+        for wrong in [
+            text.replace("poisson", "poison"),
+            text.replace("friction = 0.3", "friction = 3.0"),
+            text.replace("[ground]", "[sky]"),
+            other_band(&text),
+        ] {
             let file = ImpactFile::parse("planted", &wrong).expect("is TOML");
             assert!(MechanicsSettings::read(&file).is_err());
         }

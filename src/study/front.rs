@@ -3,7 +3,7 @@
 use super::column::Column;
 use super::outcomes::Outcomes;
 use super::plan::Study;
-use crate::variant::Better;
+use crate::variant::{Better, beats};
 
 /// There is no front of these goals.
 #[derive(Debug, thiserror::Error, PartialEq, Eq)]
@@ -54,10 +54,8 @@ pub fn front(study: &Study, outcomes: &Outcomes, names: &[String]) -> Result<Vec
     let of_row = |row: usize| wanted.iter().map(|(at, _)| outcomes.figure(row, *at)).collect::<Option<Vec<f64>>>();
     let mut candidates: Vec<(usize, Vec<f64>)> =
         (0..study.rows()).filter(|row| keeps(*row)).filter_map(|row| Some((row, of_row(row)?))).collect();
-    let worth = |figures: &[f64]| -> Vec<f64> {
-        let sign = |column: &Column| if column.better() == Better::More { -1.0 } else { 1.0 };
-        wanted.iter().zip(figures).map(|((_, column), figure)| sign(column) * figure).collect()
-    };
+    let worth =
+        |figures: &[f64]| -> Vec<f64> { wanted.iter().zip(figures).map(|((_, column), figure)| column.better().sign() * figure).collect() };
     candidates.sort_by(|(a_row, a), (b_row, b)| {
         let (a, b) = (worth(a), worth(b));
         let first = a.iter().zip(&b).map(|(a, b)| a.total_cmp(b)).find(|order| order.is_ne());
@@ -67,8 +65,7 @@ pub fn front(study: &Study, outcomes: &Outcomes, names: &[String]) -> Result<Vec
     let mut front: Vec<(usize, Vec<f64>)> = Vec::new();
     for (row, figures) in candidates {
         let own = worth(&figures);
-        let beats = |other: &[f64]| other != own && other.iter().zip(&own).all(|(other, own)| other <= own);
-        let beaten = front.iter().any(|(_, other)| beats(&worth(other)));
+        let beaten = front.iter().any(|(_, other)| beats(&worth(other), &own));
         if !beaten {
             front.push((row, figures));
         }

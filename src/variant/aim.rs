@@ -1,6 +1,6 @@
 //! What a search makes small.
 
-use super::measures::{Better, Evaluation, Measure};
+use super::measures::{Evaluation, Measure};
 
 /// What counts as nothing of a measure, as a share of its value at the start: 0.05 g of 250 g; and of a distance, in shares of the bounds.
 const ALIKE: f64 = 2e-4;
@@ -55,9 +55,4 @@ impl Aim {
         let share = |(measure, scale): (&'static Measure, &f64)| measure.of(evaluation).unwrap_or(f64::INFINITY) / scale;
         self.measures().into_iter().zip(scales).map(share).collect()
     }
-}
-
-/// One where less is better, minus one where more is.
-pub(super) fn direction(measure: &Measure) -> f64 {
-    if measure.better == Better::More { -1.0 } else { 1.0 }
 }

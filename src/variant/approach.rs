@@ -6,8 +6,9 @@
 
 use super::feasible::find;
 use super::improve::{NEARLY, improve, settle};
+use super::point::Point;
 use super::problem::SearchProblem;
-use super::search::{Point, Search, ranked};
+use super::search::{Search, ranked};
 use super::sketch::Known;
 
 /// The most rounds.
@@ -43,7 +44,7 @@ pub(super) fn approach(search: &Search, first: Option<Known>, from: &[f64]) -> b
         let Some((next, sketched)) = best(&sketches) else { return false };
         let before = best(search);
         search.look_at(std::slice::from_ref(&next));
-        let Some(there) = search.known(&next) else { return false };
+        let Some(there) = search.point_of(&next) else { return false };
         let is_no_better = before.is_some_and(|(_, before)| before.violated == 0.0 && search.aim().is_alike(before.aim, there.aim));
         if there.violated == 0.0 && (is_no_better || is_right(search, &sketched, &there)) {
             return true;
@@ -55,7 +56,7 @@ pub(super) fn approach(search: &Search, first: Option<Known>, from: &[f64]) -> b
 }
 
 fn best(search: &Search) -> Option<(Vec<f64>, Point)> {
-    ranked(search).into_iter().next().and_then(|values| search.known(&values).map(|point| (values, point)))
+    ranked(search).into_iter().next().and_then(|values| search.point_of(&values).map(|point| (values, point)))
 }
 
 /// Whether a sketch said what matters of a frame: its aim, and the margins that are small.

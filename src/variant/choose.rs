@@ -5,8 +5,9 @@
 use rayon::prelude::*;
 
 use super::ended::Ended;
+use super::point::Point;
 use super::problem::{SearchProblem, Solution, SolveError};
-use super::search::{AT_ONCE, Point};
+use super::search::AT_ONCE;
 use super::solve::{before, solve};
 use crate::params::FrameFile;
 use crate::params::frame_file::Value;

@@ -4,7 +4,7 @@
 //! long and a short one. Where both fail the region shrinks, and planes that were corrected often are made anew.
 
 use super::aim::Aim;
-use super::planes::{Planes, Side};
+use super::planes::{Planes, Way};
 use super::search::Search;
 
 /// The first region where nothing is known of a good one, the largest, and the least, in shares of the bounds.
@@ -24,8 +24,8 @@ pub(super) fn descend(search: &Search, start: &[f64], region: f64, most: usize, 
     let budget = search.looked_at() + most;
     let spent = || search.left() == 0 || search.looked_at() >= budget;
     let least = if matches!(search.aim(), Aim::Near(_)) { LEAST_NEAR } else { LEAST };
-    let (mut radius, mut side) = (region, Side::First);
-    let Some(mut planes) = Planes::at(search, start, REACH * radius, side) else { return };
+    let (mut radius, mut way) = (region, Way::First);
+    let Some(mut planes) = Planes::at(search, start, REACH * radius, way) else { return };
     let mut fresh = true;
     while !spent() {
         if feasible_is_enough && planes.point().violated == 0.0 {
@@ -41,13 +41,13 @@ pub(super) fn descend(search: &Search, start: &[f64], region: f64, most: usize, 
             fresh = false;
         } else if radius > least {
             radius *= SHORTER * SHORTER.sqrt();
-            if !fresh && let Some(anew) = Planes::at(search, planes.here(), REACH * radius.max(least), side) {
+            if !fresh && let Some(anew) = Planes::at(search, planes.here(), REACH * radius.max(least), way) {
                 (planes, fresh) = (anew, true);
             }
-        } else if side == Side::First
-            && let Some(anew) = Planes::at(search, planes.here(), REACH * region, Side::Other)
+        } else if way == Way::First
+            && let Some(anew) = Planes::at(search, planes.here(), REACH * region, Way::Other)
         {
-            (planes, side, radius, fresh) = (anew, Side::Other, region, true);
+            (planes, way, radius, fresh) = (anew, Way::Other, region, true);
         } else {
             return;
         }

@@ -71,7 +71,7 @@ impl Goal {
             (None, Some(at)) => (at, Sense::AtLeast),
             _ => return Err(GoalError::Form { text: text.into(), form }),
         };
-        let measure = known(text[..at].trim())?;
+        let measure = measure_named(text[..at].trim())?;
         let limit = amount(text, &text[at + 2..], measure, form)?;
         Ok(Self { measure, sense, limit })
     }
@@ -108,7 +108,7 @@ impl Increase {
     pub fn parse(text: &str) -> Result<Self, GoalError> {
         let form = "a measure, = and a number that is not negative, such as mass=2g";
         let (name, rest) = text.split_once('=').ok_or_else(|| GoalError::Form { text: text.into(), form })?;
-        let measure = known(name.trim())?;
+        let measure = measure_named(name.trim())?;
         let most = amount(text, rest, measure, form)?;
         if most < 0.0 { Err(GoalError::Form { text: text.into(), form }) } else { Ok(Self { measure, most }) }
     }
@@ -121,7 +121,7 @@ impl Increase {
 }
 
 /// A measure by its name.
-pub(super) fn known(name: &str) -> Result<&'static Measure, GoalError> {
+pub(super) fn measure_named(name: &str) -> Result<&'static Measure, GoalError> {
     measure(name).ok_or_else(|| {
         let near = nearest(name, super::measures::MEASURES.iter().map(|m| m.name)).into_iter().next();
         GoalError::Unknown { name: name.into(), near, all: measure_names() }

@@ -40,7 +40,7 @@ pub(super) fn improve(search: &Search, most: usize) {
 /// finds a better one.
 pub(super) fn settle(search: &Search, most: usize, regions: &[f64]) {
     let end = search.looked_at() + most;
-    let best = || ranked(search).into_iter().next().and_then(|values| Some((search.known(&values)?, values)));
+    let best = || ranked(search).into_iter().next().and_then(|values| Some((search.point_of(&values)?, values)));
     for region in regions {
         for _ in 0..AGAIN {
             let Some((before, values)) = best() else { return };

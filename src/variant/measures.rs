@@ -29,6 +29,18 @@ pub enum Better {
     Neither,
 }
 
+impl Better {
+    /// What a figure is multiplied by so that less of it is better.
+    pub fn sign(self) -> f64 {
+        if self == Self::More { -1.0 } else { 1.0 }
+    }
+}
+
+/// Whether figures, of each of which less is better, beat others: none is worse, and one is better.
+pub fn beats(these: &[f64], others: &[f64]) -> bool {
+    these != others && these.iter().zip(others).all(|(this, other)| this <= other)
+}
+
 /// A frame, designed and checked against its limits.
 pub struct Evaluation {
     /// The design.

@@ -9,7 +9,8 @@ use cobyla::{RhoBeg, StopTols};
 use nalgebra::{DMatrix, DVector};
 
 use super::aim::Aim;
-use super::search::{Point, Search};
+use super::point::Point;
+use super::search::Search;
 
 /// How much of a margin is kept in reserve, scaled: what is solved to equality is then on the good side.
 const RESERVE: f64 = 0.002;
@@ -21,10 +22,10 @@ const PRICE: f64 = 10.0;
 const STEPS: [f64; 2] = [0.5, 1e-4];
 const MOST: usize = 3000;
 
-/// On which side of a point differences are taken, where there is a frame.
+/// Which way differences are taken from a point, where there is a frame.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Side {
-    /// The way in which there is room.
+pub(super) enum Way {
+    /// Where there is more room.
     First,
     /// The other way.
     Other,
@@ -44,18 +45,18 @@ pub(super) struct Planes {
 impl Planes {
     /// Planes at values that were looked at, by differences over this share of the bounds; none where there is no frame. They touch the
     /// best of the points that they are made of. A margin with a kink there has another slope on its other side.
-    pub fn at(search: &Search, values: &[f64], reach: f64, side: Side) -> Option<Self> {
-        let point = search.known(values)?;
+    pub fn at(search: &Search, values: &[f64], reach: f64, way: Way) -> Option<Self> {
+        let point = search.point_of(values)?;
         let margins = point.margins.clone()?;
         let slopes = DMatrix::zeros(point.measures.len() + margins.len(), values.len());
         let mut planes = Self { here: values.to_vec(), point, margins, slopes };
         let sides = |at: usize| {
             let [first, other] = search.problem().vary[at].beside(values, at, reach);
-            if side == Side::First { [first, other] } else { [other, first] }
+            if way == Way::First { [first, other] } else { [other, first] }
         };
         let beside: Vec<[Vec<f64>; 2]> = (0..values.len()).map(sides).collect();
         search.look_at(&beside.iter().map(|[first, _]| first.clone()).collect::<Vec<_>>());
-        let there = |values: &Vec<f64>| search.known(values).is_some_and(|point| point.margins.is_some());
+        let there = |values: &Vec<f64>| search.point_of(values).is_some_and(|point| point.margins.is_some());
         // Where there is no frame on one side there may be one on the other.
         search.look_at(&beside.iter().filter(|[first, _]| !there(first)).map(|[_, other]| other.clone()).collect::<Vec<_>>());
         let made_of: Vec<&Vec<f64>> = beside.iter().filter_map(|sides| sides.iter().find(|values| there(values))).collect();
@@ -66,7 +67,7 @@ impl Planes {
 
     /// Corrects the planes by values that were looked at, along the way to them.
     pub fn learn(&mut self, search: &Search, values: &[f64]) {
-        let Some(Point { measures, margins: Some(margins), .. }) = search.known(values) else { return };
+        let Some(Point { measures, margins: Some(margins), .. }) = search.point_of(values) else { return };
         let way = self.way(search, values);
         let length = way.norm_squared();
         if length == 0.0 {
@@ -80,7 +81,7 @@ impl Planes {
 
     /// Moves to the best of these values if it is better than where the planes touch; says which it is then.
     pub fn move_to_better<'v>(&mut self, search: &Search, among: impl IntoIterator<Item = &'v Vec<f64>>) -> Option<&'v Vec<f64>> {
-        let known = among.into_iter().filter_map(|values| Some((values, search.known(values)?)));
+        let known = among.into_iter().filter_map(|values| Some((values, search.point_of(values)?)));
         let (values, point) = known.filter(|(_, point)| point.better_than(&self.point)).min_by(|(_, a), (_, b)| a.order(b))?;
         self.margins = point.margins.clone()?;
         (self.here, self.point) = (values.clone(), point);

@@ -130,7 +130,7 @@ impl<'a> SearchProblem<'a> {
     /// the other, and the same numbers lead to the same answer.
     #[must_use]
     pub(super) fn in_catalogue_order(&self) -> Self {
-        let place = |at: &usize| parameters().position(|parameter| std::ptr::eq(parameter, self.vary[*at].parameter));
+        let place = |at: &usize| parameters().position(|parameter| is_same(parameter, self.vary[*at].parameter));
         let mut order: Vec<usize> = (0..self.vary.len()).collect();
         order.sort_by_key(place);
         let ordered = |values: &[f64]| if values.is_empty() { Vec::new() } else { order.iter().map(|at| values[*at]).collect() };
@@ -140,7 +140,7 @@ impl<'a> SearchProblem<'a> {
 
     /// The place of one that varies.
     pub(super) fn place_of(&self, vary: &Vary) -> Option<usize> {
-        self.vary.iter().position(|own| std::ptr::eq(own.parameter, vary.parameter))
+        self.vary.iter().position(|own| is_same(own.parameter, vary.parameter))
     }
 
     /// The squared distance of values from others, in shares of their bounds.
@@ -156,12 +156,16 @@ impl<'a> SearchProblem<'a> {
     }
 
     /// A frame as far as the problem wants to know it.
-    pub(super) fn known(&self, evaluation: Evaluation) -> Result<Evaluation, String> {
+    pub(super) fn with_mechanics(&self, evaluation: Evaluation) -> Result<Evaluation, String> {
         match &self.mechanics {
             None => Ok(evaluation),
             Some(settings) => evaluation.strengthened(settings).map_err(|error| error.to_string()),
         }
     }
+}
+
+fn is_same(a: &Parameter, b: &Parameter) -> bool {
+    (a.table, a.key) == (b.table, b.key)
 }
 
 /// A limit that holds the answer back.

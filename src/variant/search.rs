@@ -1,94 +1,26 @@
 //! Points of a search: each is a frame, looked at once.
 
 use std::cell::{Cell, RefCell};
-use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 
 use rayon::prelude::*;
 
 use super::aim::Aim;
+use super::constraint::{Constraint, margins, scale};
 use super::goal::Goal;
 use super::measures::{Evaluation, Measure};
+use super::point::Point;
 use super::problem::{SearchProblem, SearchProgress};
 use super::sketch::Known;
-use crate::checks::{Cost, Finding, Rule, Verdict};
+use crate::checks::{Cost, Rule};
 use crate::frame::assembly::Design;
 use crate::frame::skeleton::Skeleton;
 use crate::params::Frame;
 
-/// What is known of one set of values.
-#[derive(Clone)]
-pub(super) struct Point {
-    /// What is made small; less is better.
-    pub aim: f64,
-    /// The aim's measures as shares of their values at the start; none when there is no such frame.
-    pub measures: Vec<f64>,
-    /// Scaled margins: every rule's tightest, then the goals'; none when there is no such frame.
-    pub margins: Option<Vec<f64>>,
-    /// Sum of the violated margins, scaled; zero when everything is kept.
-    pub violated: f64,
-    /// Why there is no such frame.
-    pub why: Option<String>,
-}
-
-impl Point {
-    fn none(aim: f64, why: String) -> Self {
-        Self { aim, measures: Vec::new(), margins: None, violated: NOWHERE, why: Some(why) }
-    }
-
-    /// Which of two is nearer to the answer: the one that misses less, or keeps everything with a smaller aim.
-    pub fn order(&self, other: &Self) -> Ordering {
-        self.violated.total_cmp(&other.violated).then(self.aim.total_cmp(&other.aim))
-    }
-
-    /// Whether it is nearer to the answer than another.
-    pub fn better_than(&self, other: &Self) -> bool {
-        self.order(other) == Ordering::Less
-    }
-}
-
-/// A constraint of a search: the tightest of some findings of a rule.
-#[derive(Clone, Copy)]
-pub(super) struct Constraint {
-    /// The rule.
-    pub rule: &'static Rule,
-    /// Which findings, in words: [`Rule::concerns`].
-    pub subject: &'static str,
-}
-
-impl Constraint {
-    /// Those of all rules that a search keeps on every frame.
-    fn of_all(rules: &[&'static Rule]) -> Vec<Self> {
-        rules.iter().flat_map(|rule| rule.constraints().into_iter().map(|subject| Self { rule, subject })).collect()
-    }
-
-    /// Whether a finding is one of its own. Notes never are.
-    pub fn concerns(&self, finding: &Finding) -> bool {
-        finding.rule == self.rule.id && self.rule.concerns(self.subject, &finding.subject) && finding.verdict != Verdict::Note
-    }
-}
-
-/// What of a unit is as much as a millimetre.
-pub(super) fn scale(unit: &str) -> f64 {
-    match unit {
-        "g" => 10.0,
-        "%" | "deg" => 20.0,
-        "cm3" => 100.0,
-        "" => 0.1,
-        _ => 1.0,
-    }
-}
-
 /// Frames that are designed side by side: between such groups somebody may end the search. As many on every machine, as what ends it by how many
 /// were looked at would find another frame with other groups.
 pub(super) const AT_ONCE: usize = 8;
-/// Margins beyond this say no more, scaled; far enough that the planes through the first points are not flat.
-const FAR: f64 = 50.0;
-
-/// Sum of violated margins where there is no frame: more than a frame that misses a dozen limits by far.
-pub(super) const NOWHERE: f64 = 12.0 * FAR;
-
 /// How a point is looked at.
 struct Look<'a> {
     problem: &'a SearchProblem<'a>,
@@ -97,7 +29,7 @@ struct Look<'a> {
     aim: Aim,
     scales: Vec<f64>,
     /// What frames are sketched by; none where each is designed.
-    known: Option<Known>,
+    sketched_by: Option<Known>,
     /// The passes that designed frames are asked by.
     dearest: Cost,
 }
@@ -119,7 +51,7 @@ impl<'a> Search<'a> {
             constraints: Constraint::of_all(rules),
             aim: Aim::Near(Vec::new()),
             scales: Vec::new(),
-            known: None,
+            sketched_by: None,
             dearest: Cost::Quick,
         };
         let mut search = Self { look, points: RefCell::default(), order: RefCell::default(), ended: Cell::new(false) };
@@ -145,7 +77,7 @@ impl<'a> Search<'a> {
         'a: 'b,
     {
         let mut search = self.again(problem);
-        search.look.known = Some(known);
+        search.look.sketched_by = Some(known);
         search
     }
 
@@ -249,7 +181,7 @@ impl<'a> Search<'a> {
     }
 
     /// What is known of these values; they have to have been looked at.
-    pub fn known(&self, values: &[f64]) -> Option<Point> {
+    pub fn point_of(&self, values: &[f64]) -> Option<Point> {
         self.points.borrow().get(&key(values)).cloned()
     }
 
@@ -258,7 +190,7 @@ impl<'a> Search<'a> {
     pub fn look_at(&self, wanted: &[Vec<f64>]) {
         let mut fresh: Vec<&Vec<f64>> = Vec::new();
         for values in wanted {
-            if self.known(values).is_some() || fresh.contains(&values) {
+            if self.point_of(values).is_some() || fresh.contains(&values) {
                 continue;
             }
             match self.look.closes(values) {
@@ -291,7 +223,7 @@ impl<'a> Search<'a> {
 
     /// Where the search is.
     pub fn progress(&self) -> SearchProgress {
-        let best = ranked(self).into_iter().next().and_then(|values| self.known(&values));
+        let best = ranked(self).into_iter().next().and_then(|values| self.point_of(&values));
         let missed = best.as_ref().and_then(|point| worst_of(point.margins.as_ref()?, self));
         let told = |point: Point| point.measures.first().map_or(point.aim, |share| share * self.look.scales[0]);
         let best = best.filter(|point| point.violated == 0.0).map(told);
@@ -352,11 +284,11 @@ impl Look<'_> {
     }
 
     fn evaluated(&self, frame: Frame, dearest: Cost) -> Result<Evaluation, String> {
-        if let Some(known) = &self.known {
+        if let Some(known) = &self.sketched_by {
             return known.sketch(frame, self.rules, &self.problem.memo).map_err(|error| error.to_string());
         }
         let design = Design::with(frame, &self.problem.memo).map_err(|error| error.to_string())?;
-        self.problem.known(Evaluation::by(self.rules, dearest, design))
+        self.problem.with_mechanics(Evaluation::by(self.rules, dearest, design))
     }
 
     /// The squared distance from the values that are to be near; zero where none are.
@@ -380,18 +312,6 @@ impl Look<'_> {
     }
 }
 
-fn margins(evaluation: &Evaluation, constraints: &[Constraint], goals: &[Goal]) -> Vec<f64> {
-    let tightest = |constraint: &Constraint| {
-        let found = evaluation.findings.iter().filter(|finding| constraint.concerns(finding));
-        found.map(|f| f.margin / scale(&f.unit)).fold(FAR, f64::min).max(-FAR)
-    };
-    let goal = |goal: &Goal| {
-        let margin = goal.measure.of(evaluation).map_or(-FAR, |value| goal.margin(value) / scale(goal.measure.unit));
-        margin.clamp(-FAR, FAR)
-    };
-    constraints.iter().map(tightest).chain(goals.iter().map(goal)).collect()
-}
-
 /// The rule or goal that is missed most; none when none is.
 pub(super) fn worst_of(margins: &[f64], search: &Search) -> Option<String> {
     let (at, least) = margins.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1))?;
@@ -406,7 +326,7 @@ pub(super) fn worst_of(margins: &[f64], search: &Search) -> Option<String> {
 /// Points that were looked at: those that keep everything first, by their aim; then by the sum of what they miss.
 pub(super) fn ranked(search: &Search) -> Vec<Vec<f64>> {
     let mut all: Vec<(Vec<f64>, Point)> =
-        search.order().into_iter().filter_map(|values| search.known(&values).map(|point| (values, point))).collect();
+        search.order().into_iter().filter_map(|values| search.point_of(&values).map(|point| (values, point))).collect();
     all.sort_by(|(_, a), (_, b)| a.order(b));
     all.into_iter().map(|(values, _)| values).collect()
 }

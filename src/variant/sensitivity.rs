@@ -16,7 +16,7 @@ pub struct Response {
     pub measures: Result<Vec<Option<f64>>, String>,
 }
 
-/// The measures at a parameter's value and at this share of it less and more, no farther than its bounds; all else stays as
+/// The measures at a parameter's value and at this share of it less and more, of its bounds where it is 0, no farther than these; all else stays as
 /// the file says, and what follows follows. With settings of the mechanics, these are asked, too.
 pub fn sensitivity(
     file: &FrameFile,

@@ -40,8 +40,8 @@ pub struct ListedFrame<'a> {
 }
 
 impl Accepted {
-    fn key(&self) -> [&str; 4] {
-        [&self.frame, &self.rule, &self.subject, self.file.as_deref().unwrap_or("")]
+    fn key(&self) -> [&str; 5] {
+        [&self.frame, &self.rule, &self.subject, self.file.as_deref().unwrap_or(""), &self.unit]
     }
 
     /// Whether it is about a frame.
@@ -49,9 +49,9 @@ impl Accepted {
         self.frame == frame.name && self.file.as_deref().is_none_or(|file| frame.file == Some(file))
     }
 
-    /// Whether it is a finding of a rule about something, whatever the frame and the numbers.
+    /// Whether it is a finding of a rule about something, whatever the frame and the numbers. Numbers of another unit are another finding.
     pub fn is(&self, finding: &Finding) -> bool {
-        (self.rule.as_str(), &self.subject) == (&*finding.rule, &finding.subject)
+        (self.rule.as_str(), &self.subject, self.unit.as_str()) == (&*finding.rule, &finding.subject, &*finding.unit)
     }
 }
 
@@ -135,6 +135,23 @@ impl Baseline {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::checks::measure::Measure;
+    use crate::checks::planted::TOY;
+
+    /// A fold that has no order is not the fold whose plug is too short.
+    #[test]
+    fn planted_a_finding_in_another_unit_is_not_the_accepted_one() {
+        let found = |unit: &'static str, value: f64| {
+            Measure { rule: TOY.id, value, limit: 4.0, unit, levers: &[] }.at_least("fold".into(), String::new())
+        };
+        let frame = ListedFrame { name: "a", file: None };
+        let list = Baseline::of([(frame, &found("mm", 2.0))].into_iter());
+        assert!(
+            list.accepts(frame, &found("mm", 2.5)) && !list.accepts(frame, &found("mm", 1.5)) && !list.accepts(frame, &found("steps", 3.0))
+        );
+        let both = Baseline::of([(frame, &found("mm", 2.0)), (frame, &found("steps", 3.0))].into_iter());
+        assert_eq!(both.entries().len(), 2);
+    }
 
     #[test]
     fn analytic_lists_are_read_as_written_and_others_refused() {

@@ -39,7 +39,7 @@ fn of_frame(held: &CheckedFrame) -> Vec<(u8, String)> {
         };
         let accepted = if *standing == Standing::Accepted { " (accepted)" } else { "" };
         let title = format!("{}: {}", held.frame, finding.rule);
-        lines.push((rank, command(word, spots.first(), &title, &format!("{}{accepted}{made_of}", finding.message))));
+        lines.push((rank, command(word, spots.first(), &title, &format!("{}{accepted}{made_of}", judged.message()))));
         if *standing == Standing::Fails {
             lines.extend(
                 spots.iter().skip(1).map(|spot| (2, command("notice", Some(spot), &title, &format!("`{}` drives this, too", spot.key)))),

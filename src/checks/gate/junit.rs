@@ -41,7 +41,7 @@ fn case(name: &str, held: &CheckedFrame, rule: &str) -> TestCase {
     let lines = |standing: Standing| of(standing).map(text).collect::<Vec<_>>().join("\n");
     let (fails, accepted, warnings) = (of(Standing::Fails).next(), of(Standing::Accepted).next(), lines(Standing::Warning));
     let status = match (fails, accepted) {
-        (Some(first), _) => failed(NonSuccessKind::Failure, rule, &first.finding.message, &lines(Standing::Fails)),
+        (Some(first), _) => failed(NonSuccessKind::Failure, rule, &first.message(), &lines(Standing::Fails)),
         (None, Some(_)) => {
             let mut status = TestCaseStatus::skipped();
             status.set_message(format!("accepted: {}", lines(Standing::Accepted)));
@@ -62,7 +62,7 @@ fn case(name: &str, held: &CheckedFrame, rule: &str) -> TestCase {
 }
 
 fn text(judged: &Judged) -> String {
-    format!("{}{}{}", judged.finding.message, judged.made_of, place(judged.spots.first()))
+    format!("{}{}{}", judged.message(), judged.made_of, place(judged.spots.first()))
 }
 
 fn refused_suite(asked: &str, refused: &Refused) -> TestSuite {

@@ -51,7 +51,7 @@ fn section(held: &CheckedFrame) -> String {
     for (standing, word) in [(Standing::Fails, "**fails**"), (Standing::Warning, "warning"), (Standing::Accepted, "accepted")] {
         for judged in held.of(standing) {
             let place = judged.spots.first().map_or(String::new(), |spot| format!(" (`{}:{}`)", spot.file, spot.line));
-            let _ = writeln!(text, "- {word}: {}{}{place}", inert(&judged.finding.message), inert(&judged.made_of));
+            let _ = writeln!(text, "- {word}: {}{}{place}", inert(&judged.message()), inert(&judged.made_of));
         }
     }
     text += "\n<details><summary>margins</summary>\n\n| rule | of | value | limit | margin |\n|---|---|---|---|---|\n";

@@ -1,5 +1,7 @@
 //! What became of a frame at the gate.
 
+use std::borrow::Cow;
+
 use super::baseline::ListedFrame;
 use super::blame::{Spot, masses_named, spots};
 use super::policy::{Policy, Standing};
@@ -24,11 +26,20 @@ pub struct Judged {
 }
 
 impl Judged {
+    /// Its message, with the change that clears it where one was requested.
+    pub fn message(&self) -> Cow<'_, str> {
+        if self.advice.is_empty() {
+            Cow::Borrowed(&self.finding.message)
+        } else {
+            format!("{}; {}", self.finding.message, self.advice).into()
+        }
+    }
+
     /// The finding as it is reported: tested changes replace the keys that might clear it.
     pub fn reported(&self) -> Finding {
         let mut finding = self.finding.clone();
         if !self.advice.is_empty() {
-            finding.message = format!("{}; {}", finding.message, self.advice);
+            finding.message = self.message().into_owned();
             finding.levers.clear();
         }
         finding

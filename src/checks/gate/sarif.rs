@@ -46,7 +46,7 @@ fn result([asked, name]: [&str; 2], held: &CheckedFrame, judged: &Judged, rules:
         Standing::Accepted => "note",
         Standing::Good | Standing::Warning => "warning",
     };
-    let text = format!("{}: {}{made_of}", held.frame, finding.message);
+    let text = format!("{}: {}{made_of}", held.frame, judged.message());
     let mut result = json!({
         "ruleId": finding.rule,
         "level": level,

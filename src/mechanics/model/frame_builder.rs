@@ -4,7 +4,7 @@ mod rods;
 
 use nalgebra::{Isometry3, Matrix3, Vector3};
 
-use super::frame_model::{Extent, FrameModel, RodLine, Skin, Tag};
+use super::frame_model::{Extent, FrameModel, LINKS, RodLine, Skin, Tag};
 use super::model_error::ModelError;
 use super::weights::Weights;
 use crate::frame::assembly::Design;
@@ -95,7 +95,7 @@ impl<'a> Builder<'a> {
         let aside = if x.z.abs() < 0.9 { Vector3::z() } else { Vector3::x() };
         let z = x.cross(&aside).normalize();
         let section = Section::disc(LINK.1, Vector3::zeros(), Matrix3::from_columns(&[x, z.cross(&x), z]));
-        self.beam(nodes, &section, &LINK.0, "links", false, 0.0);
+        self.beam(nodes, &section, &LINK.0, LINKS, false, 0.0);
     }
 
     /// A tie at a place that both nodes carry with them.

@@ -22,6 +22,9 @@ impl Extent {
     }
 }
 
+/// Zone of what is as good as rigid and joins a part's nodes: it has no energy or strain of its own to tell.
+pub const LINKS: &str = "links";
+
 /// What a beam or tie is.
 #[derive(Clone, Debug)]
 pub struct Tag {

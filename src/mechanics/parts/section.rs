@@ -80,8 +80,8 @@ impl Section {
     }
 
     /// A disc with a round hole in its middle.
-    pub fn ring(radius_mm: f64, bore_mm: f64, centre: Vector3<f64>, axes: Matrix3<f64>) -> Self {
-        let [outer, inner] = [radius_mm, bore_mm].map(|radius| radius * radius);
+    pub fn ring(radius_mm: f64, inner_radius_mm: f64, centre: Vector3<f64>, axes: Matrix3<f64>) -> Self {
+        let [outer, inner] = [radius_mm, inner_radius_mm].map(|radius| radius * radius);
         let area = std::f64::consts::PI * (outer - inner);
         let second = area * (outer + inner) / 4.0;
         Self {

@@ -70,6 +70,18 @@ pub enum ImpactError {
         /// The shortest steps that were tried, ms.
         step_ms: f64,
     },
+    /// The method made energy out of nothing.
+    #[error(
+        "from {height_m} m the computed motion gains {percent:.0} % of energy, in steps of {step_ms} ms, too: its figures say nothing; lower heights may be followed"
+    )]
+    Gains {
+        /// Drop height, m.
+        height_m: f64,
+        /// Energy that is in no account, % of that of the fall.
+        percent: f64,
+        /// The shortest steps that were tried, ms.
+        step_ms: f64,
+    },
 }
 
 /// A moment of the impact.
@@ -122,13 +134,17 @@ impl Impact {
     /// Drops a frame from a height. A motion that is lost, or that gains energy, is computed again in shorter steps.
     ///
     /// # Errors
-    /// When the motion is lost in shorter steps, too.
+    /// When the motion is lost, or gains energy, in shorter steps, too.
     pub fn new(model: &FrameModel, settings: &MechanicsSettings, height_m: f64, run: &Run) -> Result<Self, ImpactError> {
-        match Self::computed(model, settings, height_m, run) {
-            Ok(impact) if impact.unaccounted >= -MOST_GAINED => Ok(impact),
-            _ => Self::computed(model, settings, height_m, &run.shorter()),
+        let gains = |impact: &Self| impact.unaccounted < -MOST_GAINED;
+        if let Some(impact) = Self::computed(model, settings, height_m, run).ok().filter(|impact| !gains(impact)) {
+            return Ok(impact);
         }
-        .map_err(|error| ImpactError::Dynamics { height_m, error, step_ms: run.step_ms / run.shorter().substeps as f64 })
+        let step_ms = run.step_ms / run.shorter().substeps as f64;
+        match Self::computed(model, settings, height_m, &run.shorter()) {
+            Ok(impact) if gains(&impact) => Err(ImpactError::Gains { height_m, percent: -100.0 * impact.unaccounted, step_ms }),
+            shorter => shorter.map_err(|error| ImpactError::Dynamics { height_m, error, step_ms }),
+        }
     }
 
     fn computed(model: &FrameModel, settings: &MechanicsSettings, height_m: f64, run: &Run) -> Result<Self, DynamicsError> {

@@ -60,7 +60,27 @@ pub enum PredictionError {
     /// The drop.
     #[error(transparent)]
     Impact(#[from] ImpactError),
+    /// Nothing is known of the stiffness.
+    #[error("pressed down by {at_mm} mm the frame gives way, and its stiffness is that at {STIFFNESS_MM} mm")]
+    GivesWay {
+        /// Where its curve ends, mm.
+        at_mm: f64,
+    },
 }
+
+impl PredictionError {
+    /// Whether the frame is to blame, which gives way under its loads, and not what is said of it.
+    pub fn gives_way(&self) -> bool {
+        match self {
+            Self::Curve(CurveError::Statics(_)) | Self::GivesWay { .. } => true,
+            Self::Impact(error) => !matches!(error, ImpactError::Model(_)),
+            Self::Curve(CurveError::Model(_)) => false,
+        }
+    }
+}
+
+/// Where the stiffness is taken, mm.
+const STIFFNESS_MM: f64 = 8.0;
 
 /// How far the frame is pressed for the stiffness, mm.
 const PRESSED_MM: f64 = 10.0;
@@ -73,12 +93,14 @@ pub fn predict(design: &Design, masses: &MassTable, settings: &MechanicsSettings
     let parts = part_models(design, settings).map_err(CurveError::from)?;
     let model = FrameModel::of_parts(design, &parts, masses, settings, Extent::Quarter).map_err(CurveError::from)?;
     let curve = StaticCurve::new(&model, PRESSED_MM, &[])?;
+    let ends_mm = || curve.points.last().map_or(0.0, |point| point.displacement_mm);
+    let secant_8_mm_n_mm = curve.secant_n_mm(STIFFNESS_MM).ok_or_else(|| PredictionError::GivesWay { at_mm: ends_mm() })?;
     let drop_m = settings.limits.drop_m;
     let impact = Impact::new(&model, settings, drop_m, &Run::default())?;
-    let strained = impact.strains.iter().filter(|(zone, _)| *zone != "links").max_by(|a, b| a.1.total_cmp(&b.1));
+    let strained = impact.strains.iter().max_by(|a, b| a.1.total_cmp(&b.1));
     Ok(Prediction {
         initial_n_mm: curve.initial_n_mm(),
-        secant_8_mm_n_mm: curve.secant_n_mm(8.0).unwrap_or(f64::NAN),
+        secant_8_mm_n_mm,
         drop_m,
         payload_peak_g: impact.peak()[0],
         travel_mm: impact.travel_mm(),

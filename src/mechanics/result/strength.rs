@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::frame::skeleton::RodRole;
-use crate::mechanics::model::frame_model::FrameModel;
+use crate::mechanics::model::frame_model::{FrameModel, LINKS};
 use crate::mechanics::system::structure::State;
 
 /// A zone's share.
@@ -52,7 +52,7 @@ pub fn zones(model: &FrameModel, state: &State) -> Vec<ZoneState> {
     let energies = model.system.energies(state);
     let copies = model.extent.copies();
     let mut of: BTreeMap<&'static str, (f64, f64)> = BTreeMap::new();
-    for (at, tag) in model.tags.iter().enumerate() {
+    for (at, tag) in model.tags.iter().enumerate().filter(|(_, tag)| tag.zone != LINKS) {
         let strain = if at < model.system.structure.beams.len() { strain(model, state, at) } else { 0.0 };
         let entry = of.entry(tag.zone).or_default();
         entry.0 += energies[at] * copies;

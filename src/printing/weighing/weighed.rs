@@ -257,7 +257,7 @@ mod tests {
         let masses = mass::table(&design);
         let again = [reading("hub", 1, 9.80), reading("hub", 1, 9.81), reading("hub", 2, 19.62), reading("hub", 1, 9.80)];
         let found = Weighing::new(&design, &masses, &again, &BTreeMap::new()).expect("holds");
-        let after = found.fitted[0].after.expect("is fitted");
+        let after = found.fitted[1].after.expect("is fitted");
         assert!(after.interval.is_none() && after.parts == 1 && found.after_g().1.is_none(), "{after:?}");
         let hub = found.rows.iter().find(|row| row.part == PartName::Hub).expect("has one");
         assert!(hub.weighed_g.is_some_and(|weighed_g| (weighed_g - 49.03 / 5.0).abs() < 1e-9), "{hub:?}");

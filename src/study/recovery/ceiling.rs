@@ -4,7 +4,7 @@
 //! noise, and the covariance of the mean waves, and weighs them by Bayes' rule, all equally likely; k and c have an even
 //! prior and are integrated out along their tangent at the best fit. It says nothing where the drops are as likely
 //! as those of a null, at the level at which 5 % of nulls alarm. No rule that looks at mean waves has more names right on these
-//! truths. What it does not see: how single records vary about their mean; [`Share::in_covariance`] says how much that would add
+//! truths. What it does not see: how single records vary about their mean; [`ObserverShare::in_covariance`] says how much that would add
 //! for somebody who knows its law.
 
 use std::collections::BTreeMap;
@@ -131,7 +131,7 @@ pub(super) struct Judge {
 
 /// Shares of draws of one truth.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Share {
+pub(super) struct ObserverShare {
     /// Named, and rightly.
     pub right: f64,
     /// First in the ranking, alarm or not.
@@ -161,7 +161,7 @@ impl Judge {
     }
 
     /// How often it would be right on a truth.
-    pub fn share(&self, id: &str, strength: f64) -> Option<Share> {
+    pub fn share(&self, id: &str, strength: f64) -> Option<ObserverShare> {
         let truth = self.truths.iter().find(|truth| truth.id == id && truth.strength == strength)?;
         let seen = seen(&truth.plan, &hypotheses(&self.null, &self.truths), self.gain)?;
         let mut rng = Pcg64::seed_from_u64(truth.plan.seed);
@@ -174,7 +174,7 @@ impl Judge {
             counts.iter_mut().zip(found).for_each(|(count, good)| *count += usize::from(good));
         }
         let [right, first, detectable] = counts.map(|count| count as f64 / DRAWS as f64);
-        Some(Share { right, first, detectable: truth.is_detectable().then_some(detectable), in_covariance })
+        Some(ObserverShare { right, first, detectable: truth.is_detectable().then_some(detectable), in_covariance })
     }
 }
 

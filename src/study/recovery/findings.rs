@@ -1,6 +1,6 @@
 //! What comes out of a row of hidden effects: the diagnosis beside its truth.
 
-use super::ceiling::Share;
+use super::ceiling::ObserverShare;
 use super::landing_truth::LandingTruth;
 use super::noise_free::{catalogue, clean, noncentrality, ranked_with_known_covariance, waves};
 use super::setting::{Case, Recovery};
@@ -54,7 +54,7 @@ pub(super) struct Findings<'a> {
     pub left_alone: Option<f64>,
     /// What the best set leaves that is not the truth.
     pub left_rival: Option<f64>,
-    pub ceiling: Option<Share>,
+    pub ceiling: Option<ObserverShare>,
     pub with_known_covariance: Option<&'static str>,
 }
 
