@@ -10,6 +10,7 @@ use super::output;
 use super::progress::Progress;
 use super::session;
 use super::terminal;
+use crate::checks;
 use crate::export::deformed_glb;
 use crate::frame::assembly::mass::MassTable;
 use crate::frame::assembly::{Design, mass};
@@ -169,6 +170,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         frame: &design.frame.name,
         settings: &settings,
         curve: &curve,
+        gap_mm: checks::ground_clearance(&design, &masses).map(|ground| ground.clearance_mm),
         modes: modes.as_ref(),
         measured: measured.as_deref().unwrap_or(&[]),
         rms_n: rms,

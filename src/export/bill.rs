@@ -229,7 +229,7 @@ fn buy_lines(design: &Design, masses: &MassTable, stocks: u32) -> Vec<BuyLine> {
             currency: part.currency.clone(),
             price_source: part.price_source.clone(),
             source: weighed.map_or_else(|| part.source.clone(), |line| line.source(&part.source)),
-            note: if role == "fpv_camera" { NO_TRANSMITTER.into() } else { String::new() },
+            note: bought_note(role).into(),
             ..BuyLine::default()
         }
     };
@@ -270,6 +270,15 @@ fn extra_lines(design: &Design, masses: &MassTable) -> Vec<BuyLine> {
 }
 
 /// What an extra is to the buyer: a receiver itself, or a mass of several things.
+/// What a search for a part does not say.
+fn bought_note(role: &str) -> &'static str {
+    match role {
+        "fpv_camera" => NO_TRANSMITTER,
+        "propeller" => "half of them clockwise, half counter-clockwise",
+        _ => "",
+    }
+}
+
 fn extra_note(name: &str) -> &'static str {
     match name {
         "receiver" => "of your transmitter's protocol; its mass is the frame file's",

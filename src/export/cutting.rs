@@ -188,12 +188,13 @@ const SHORTER: f64 = 0.05;
 
 /// Roles whose rods need one stock length less when they are shorter by at most a twentieth, the smallest change first.
 pub fn savings(rods: &[Kind], stock_mm: f64, kerf_mm: f64) -> Vec<Saving> {
-    let count = |rods: &[Kind]| fewest(rods, stock_mm, kerf_mm).map_or(usize::MAX, |stocks| stocks.len());
-    let now = count(rods);
+    let count = |rods: &[Kind], stock_mm: f64| fewest(rods, stock_mm, kerf_mm).map_or(usize::MAX, |stocks| stocks.len());
+    let now = count(rods, stock_mm);
+    // What is saved by sawing with nothing left over is not worth to be told.
     let with = |at: usize, length_mm: f64| {
         let mut shorter = rods.to_vec();
         shorter[at].1 = length_mm;
-        count(&shorter) < now
+        count(&shorter, stock_mm - KEPT_MM - kerf_mm) < now
     };
     let saving = |(at, (role, from_mm, number)): (usize, &Kind)| {
         let (mut saves_mm, mut wastes_mm) = (from_mm * (1.0 - SHORTER), *from_mm);

@@ -23,7 +23,7 @@ mod stout;
 mod turn_polygon;
 
 pub use bend::Bend;
-pub use boundary::{Boundary, Curve, Edge, Face, NotExact, Side, Surface, square_to};
+pub use boundary::{Boundary, Curve, Edge, FLATNESS_MM, Face, NotExact, Side, Surface, square_to};
 pub use box_tree::BoxTree;
 pub use brep::Brep;
 pub use feature::Feature;

@@ -7,9 +7,10 @@ use super::shaped::Shaped;
 use super::writer::{Decimal, Id, Writer, length, list, string};
 use crate::export::colour::curved;
 use crate::figures::to_thousandth;
+use crate::solid::FLATNESS_MM;
 
-/// How far vertices may lie beside the surfaces of their faces, mm, as every file states; see [`crate::solid::FLATNESS_MM`].
-const ACCURACY_MM: f64 = 1e-4;
+/// How far vertices may lie beside the surfaces of their faces, mm, as every file states: two that are off to either side.
+const ACCURACY_MM: f64 = 2.0 * FLATNESS_MM;
 
 /// What all products of a file share.
 pub(super) struct Context {

@@ -227,10 +227,10 @@ impl Impact {
     }
 
     fn watch_strains(&mut self, zones: &[ZoneState]) {
-        for zone in zones {
-            match self.strains.iter_mut().find(|(known, _)| *known == zone.zone) {
-                Some((_, most)) => *most = most.max(zone.strain),
-                None => self.strains.push((zone.zone, zone.strain)),
+        for (zone, strain) in zones.iter().filter_map(|zone| Some((zone.zone, zone.strain?))) {
+            match self.strains.iter_mut().find(|(known, _)| *known == zone) {
+                Some((_, most)) => *most = most.max(strain),
+                None => self.strains.push((zone, strain)),
             }
         }
     }

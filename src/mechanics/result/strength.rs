@@ -15,8 +15,8 @@ pub struct ZoneState {
     pub energy_mj: f64,
     /// Its share of all the energy.
     pub share: f64,
-    /// Largest strain of a fibre, stretch and bending together.
-    pub strain: f64,
+    /// Largest strain of a fibre, stretch and bending together; none of springs and contacts, which have no fibres.
+    pub strain: Option<f64>,
 }
 
 /// A rod's force.
@@ -51,12 +51,12 @@ fn own(model: &FrameModel, state: &State, beam: usize) -> crate::mechanics::elem
 pub fn zones(model: &FrameModel, state: &State) -> Vec<ZoneState> {
     let energies = model.system.energies(state);
     let copies = model.extent.copies();
-    let mut of: BTreeMap<&'static str, (f64, f64)> = BTreeMap::new();
+    let mut of: BTreeMap<&'static str, (f64, Option<f64>)> = BTreeMap::new();
     for (at, tag) in model.tags.iter().enumerate().filter(|(_, tag)| tag.zone != LINKS) {
-        let strain = if at < model.system.structure.beams.len() { strain(model, state, at) } else { 0.0 };
+        let strain = (at < model.system.structure.beams.len()).then(|| strain(model, state, at));
         let entry = of.entry(tag.zone).or_default();
         entry.0 += energies[at] * copies;
-        entry.1 = entry.1.max(strain);
+        entry.1 = entry.1.into_iter().chain(strain).reduce(f64::max);
     }
     let all: f64 = of.values().map(|zone| zone.0).sum();
     let mut zones: Vec<ZoneState> = of

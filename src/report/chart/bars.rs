@@ -6,7 +6,7 @@ use super::plot::{Area, Chart, Drawn, FONT, MARGIN, colour, number, titled};
 
 /// The bars of a height.
 pub(in crate::report) struct Group {
-    /// Under them.
+    /// Over them.
     pub label: String,
     /// Shares in %, of the left bar and of the right; by number as in [`Bars::parts`].
     pub shares: [Vec<f64>; 2],
@@ -62,12 +62,8 @@ impl Chart for Bars {
             .margin_right(200)
             .build_cartesian_2d(0.0..count, self.lowest()..self.highest() + LABEL_PERCENT)?;
         let across = format!("drop height, m; left bar: {}, right bar: {}", self.sides[0], self.sides[1]);
-        let name = |at: &f64| {
-            let group = self.groups.get(at.floor() as usize).filter(|_| (at - at.floor() - 0.5).abs() < 1e-6);
-            group.map_or(String::new(), |group| group.label.clone())
-        };
         let mesh = &mut chart.configure_mesh();
-        mesh.disable_x_mesh().disable_x_axis().x_desc(across).y_desc("share, %").x_labels(0).x_label_formatter(&name);
+        mesh.disable_x_mesh().disable_x_axis().x_desc(across).y_desc("share, %").x_labels(0);
         mesh.y_label_formatter(&number).label_style((FONT, 16)).axis_desc_style((FONT, 18)).light_line_style(TRANSPARENT).draw()?;
         for (part, title) in self.parts.iter().enumerate() {
             let style = colour(part).filled();

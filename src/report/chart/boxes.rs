@@ -15,7 +15,7 @@ pub(in crate::report) struct Values {
 
 /// A group of boxes, one a kind; `None` where a kind was not measured.
 pub(in crate::report) struct Group {
-    /// Under it.
+    /// Over it.
     pub label: String,
     /// By kind.
     pub kinds: Vec<Option<Values>>,
@@ -57,12 +57,8 @@ impl Chart for Boxes {
             .y_label_area_size(60)
             .margin_right(210)
             .build_cartesian_2d(0.0..count, 1.04 * low..1.12 * high)?;
-        let name = |at: &f64| {
-            let group = self.groups.get(at.floor() as usize).filter(|_| (at - at.floor() - 0.5).abs() < 1e-6);
-            group.map_or(String::new(), |group| group.label.clone())
-        };
         let mesh = &mut chart.configure_mesh();
-        mesh.disable_x_mesh().disable_x_axis().x_desc(self.across).y_desc(self.up).x_labels(0).x_label_formatter(&name);
+        mesh.disable_x_mesh().disable_x_axis().x_desc(self.across).y_desc(self.up).x_labels(0);
         mesh.y_label_formatter(&number).label_style((FONT, 16)).axis_desc_style((FONT, 18)).light_line_style(TRANSPARENT).draw()?;
         let share = WIDTH / self.kinds.len().max(1) as f64;
         for (number, kind) in self.kinds.iter().enumerate() {

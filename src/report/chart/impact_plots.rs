@@ -15,7 +15,10 @@ use crate::report::data::impact_data::Impacts;
 pub fn plots(found: &Impacts) -> Result<Vec<(String, Vec<u8>)>, PlotError> {
     let mut files = Vec::new();
     files.extend(plot::files("acceleration", &acceleration(found))?);
-    files.extend(plot::files("displacement", &of(found, "way of the payload", "compression, mm", |m| m.down_mm, gap(found)))?);
+    // A way begins and ends low, and its largest value lies between.
+    let way =
+        Lines { legend: SeriesLabelPosition::LowerMiddle, ..of(found, "travel of the payload", "travel, mm", |m| m.down_mm, gap(found)) };
+    files.extend(plot::files("displacement", &way)?);
     files.extend(plot::files("ground", &of(found, "force of the ground", "force, N", |m| m.ground_n, Vec::new()))?);
     Ok(files)
 }

@@ -7,6 +7,8 @@ use crate::study::Indices;
 
 /// Width of a bar, of an axis' 1.
 const WIDTH: f64 = 0.36;
+/// Height of a line of names, of the chart's.
+const LINE: f64 = 0.045;
 /// The two kinds of indices.
 const KINDS: [&str; 2] = ["first order: by itself", "total: with its interactions"];
 
@@ -22,7 +24,10 @@ pub(in crate::report) struct IndexBars<'a> {
 
 impl Chart for IndexBars<'_> {
     fn draw<B: DrawingBackend>(&self, area: &Area<B>) -> Drawn<B> {
-        let most = self.indices.total.iter().map(|index| index.share + index.half_interval).fold(1.0, f64::max);
+        let all = || self.indices.first.iter().chain(&self.indices.total);
+        let most = all().map(|index| index.share + index.half_interval).fold(1.0, f64::max);
+        let least = all().map(|index| index.share - index.half_interval).fold(0.0, f64::min);
+        let line = LINE * (most - least);
         let count = self.axes.len() as f64;
         let area = &titled(area, &self.title)?;
         let mut chart = ChartBuilder::on(area)
@@ -30,7 +35,7 @@ impl Chart for IndexBars<'_> {
             .margin_top(MARGIN / 2)
             .x_label_area_size(44)
             .y_label_area_size(60)
-            .build_cartesian_2d(0.0..count, -0.08..1.12 * most)?;
+            .build_cartesian_2d(0.0..count, least - 2.6 * line..most + 2.6 * line)?;
         let mesh = &mut chart.configure_mesh();
         mesh.disable_x_mesh().disable_x_axis().y_desc("share of the variance, of 1").x_labels(0);
         mesh.y_label_formatter(&number).label_style((FONT, 16)).axis_desc_style((FONT, 18)).light_line_style(TRANSPARENT).draw()?;
@@ -52,7 +57,10 @@ impl Chart for IndexBars<'_> {
                 plotters::style::text_anchor::HPos::Center,
                 plotters::style::text_anchor::VPos::Top,
             ));
-            chart.draw_series([Text::new(name.clone(), (axis as f64 + 0.5, -0.035), centred)])?;
+            // Names of neighbours stand at two heights, so that they do not cover each other.
+            let below = if axis % 2 == 0 { 0.4 * line } else { 1.5 * line };
+            let name = name.rsplit('.').next().unwrap_or(name).trim_end_matches("_mm");
+            chart.draw_series([Text::new(name.to_string(), (axis as f64 + 0.5, least - below), centred)])?;
         }
         Ok(())
     }

@@ -28,7 +28,7 @@ pub(in crate::report) struct Lines {
     pub up: &'static str,
     /// The lines.
     pub series: Vec<Series>,
-    /// Level lines, with what they mean.
+    /// Level lines, with what they mean; one without words is not in the legend.
     pub levels: Vec<(String, f64)>,
     /// Where a line leaves the range in which its model is valid: the number of its colour, and the point.
     pub left: Vec<(usize, (f64, f64))>,
@@ -52,7 +52,10 @@ impl Chart for Lines {
         let mut chart = axes(&area, &words, [across.clone(), up])?;
         for (name, level) in &self.levels {
             let line = LineSeries::new([(across.start, *level), (across.end, *level)], BLACK.mix(0.6));
-            chart.draw_series(line)?.label(name).legend(|(x, y)| PathElement::new([(x, y), (x + 22, y)], BLACK.mix(0.6)));
+            let drawn = chart.draw_series(line)?;
+            if !name.is_empty() {
+                drawn.label(name).legend(|(x, y)| PathElement::new([(x, y), (x + 22, y)], BLACK.mix(0.6)));
+            }
         }
         for series in &self.series {
             let colour = colour(series.colour);

@@ -30,11 +30,20 @@ impl Kind {
         }
     }
 
+    fn colour(self) -> RGBColor {
+        colour(match self {
+            Self::Violating => 6,
+            Self::Keeping => 0,
+            Self::OfTheFront => 1,
+        })
+    }
+
+    /// Of which there are many, those let others shine through.
     fn style(self) -> ShapeStyle {
         match self {
-            Self::Violating => colour(6).mix(0.12).stroke_width(1),
-            Self::Keeping => colour(0).mix(0.25).stroke_width(1),
-            Self::OfTheFront => colour(1).stroke_width(2),
+            Self::Violating => self.colour().mix(0.12).stroke_width(1),
+            Self::Keeping => self.colour().mix(0.25).stroke_width(1),
+            Self::OfTheFront => self.colour().stroke_width(2),
         }
     }
 }
@@ -98,7 +107,7 @@ impl Chart for Parallel<'_> {
         }
         for (at, kind) in Kind::ALL.into_iter().enumerate() {
             let (x, y) = (30 + 220 * at as i32, area.dim_in_pixel().1 as i32 - 24);
-            area.draw(&PathElement::new([(x, y), (x + 24, y)], kind.style()))?;
+            area.draw(&PathElement::new([(x, y), (x + 24, y)], kind.colour().stroke_width(3)))?;
             area.draw(&Text::new(kind.word(), (x + 32, y - 8), TextStyle::from((FONT, 15))))?;
         }
         Ok(())

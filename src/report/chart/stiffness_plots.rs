@@ -14,6 +14,12 @@ pub fn plots(found: &Stiffness) -> Result<Vec<(String, Vec<u8>)>, PlotError> {
     Ok(plot::files("curve", &curve(found))?.into())
 }
 
+/// What the feet stand on: beyond the gap flat ground would carry the rest, too.
+fn stands(found: &Stiffness) -> String {
+    let raised = found.gap_words().and(found.gap_mm);
+    raised.map_or("feet on the ground".into(), |gap_mm| format!("feet on the ground, beyond {gap_mm:.1} mm raised"))
+}
+
 fn curve(found: &Stiffness) -> Lines {
     let points = |factor: f64| found.curve.points.iter().map(|p| (p.displacement_mm, p.force_n * factor)).collect::<Vec<_>>();
     let [low, high] = found.band();
@@ -32,7 +38,7 @@ fn curve(found: &Stiffness) -> Lines {
         series.push(line(Some("measured"), 1, 1, true, measured));
     }
     Lines {
-        title: format!("{}: the centre pressed down, feet on the ground", found.frame),
+        title: format!("{}: the centre pressed down, {}", found.frame, stands(found)),
         across: "displacement, mm",
         up: "force, N",
         series,

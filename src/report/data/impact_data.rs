@@ -103,7 +103,7 @@ pub fn trace_csv(found: &Impacts) -> Result<String, ExportError> {
 pub fn table(found: &Impacts) -> String {
     let mut text = head(found);
     text += "height  impact  ------- peak, g -------     at  travel  contact  rebound   -- lost, % --\n";
-    text += "     m     m/s  proper   sensor  logged     ms      mm       ms    speed   TPU   ground\n";
+    text += "     m     m/s  proper   sensor  logged     ms      mm       ms    speed  flex.  ground\n";
     text.extend(found.impacts.iter().map(|impact| row(impact, found.mass_g)));
     if let Some(underside) = &found.underside {
         text.push('\n');

@@ -17,6 +17,8 @@ pub struct Stiffness<'a> {
     pub settings: &'a MechanicsSettings,
     /// Force over displacement.
     pub curve: &'a StaticCurve,
+    /// From what hangs lowest down to the ground, mm; none where everything hangs above the feet's reach.
+    pub gap_mm: Option<f64>,
     /// Modes on held feet.
     pub modes: Option<&'a Modes>,
     /// Measured displacement, mm, and force, N.
@@ -36,6 +38,13 @@ impl Stiffness<'_> {
     /// The band of every stiffness and force, as factors: they go with the modulus.
     pub fn band(&self) -> [f64; 2] {
         self.settings.young_band_mpa.map(|young| young / self.settings.young_mpa)
+    }
+
+    /// That the curve goes on beyond where the frame sits on flat ground, where it does.
+    pub fn gap_words(&self) -> Option<String> {
+        let last_mm = self.curve.points.last().map_or(0.0, |point| point.displacement_mm);
+        let gap_mm = self.gap_mm.filter(|gap_mm| *gap_mm < last_mm)?;
+        Some(format!("pressed down by {gap_mm:.1} mm, what hangs lowest sits on flat ground: forces beyond are those of raised feet"))
     }
 }
 
@@ -65,6 +74,7 @@ pub fn json(found: &Stiffness) -> Value {
         "young_mpa": found.settings.young_mpa,
         "young_band_mpa": found.settings.young_band_mpa,
         "calibrated": found.calibrated,
+        "gap_mm": found.gap_mm,
         "initial_n_mm": curve.initial_n_mm(),
         "band": found.band(),
         "secants": secants,
@@ -113,6 +123,9 @@ pub fn table(found: &Stiffness) -> String {
         Some([x, f]) => text += &format!("limit load {f:.1} N at {x:.1} mm: beyond it the force falls\n"),
         None => text += &format!("no limit load down to {:.0} mm\n", curve.points.last().map_or(0.0, |p| p.displacement_mm)),
     }
+    if let Some(words) = found.gap_words() {
+        text += &format!("{words}\n");
+    }
     if let Some(rms) = found.rms_n {
         text += &format!("\n measured    model   of {} points, rms {rms:.2} N\n", found.measured.len());
         for [x, f] in found.measured {
@@ -145,7 +158,8 @@ fn insides(curve: &StaticCurve) -> String {
     );
     for zone in second.zones.iter().filter(|zone| zone.share > 0.004) {
         let small = first.zones.iter().find(|other| other.zone == zone.zone).map_or(0.0, |z| z.share);
-        text += &format!("{:>8.1} % {:>5.1} % {:>7.1} %  {}\n", 100.0 * small, 100.0 * zone.share, 100.0 * zone.strain, zone.zone);
+        let strain = zone.strain.map_or_else(|| "-  ".into(), |strain| format!("{:.2} %", 100.0 * strain));
+        text += &format!("{:>8.1} % {:>5.1} % {strain:>9}  {}\n", 100.0 * small, 100.0 * zone.share, zone.zone);
     }
     text += &format!("\nrods at {} mm: largest compression, and what buckles it between its hinges\n", second.displacement_mm);
     for rod in &second.rods {

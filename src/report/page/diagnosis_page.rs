@@ -220,7 +220,7 @@ fn residual_chart(when: &str, points: &[Point], heights: &[f64]) -> Lines {
         across: "time from first touch, ms",
         up: "measured less model, standard errors",
         series: heights.iter().enumerate().map(series).collect(),
-        levels: vec![("2 standard errors".into(), 2.0), ("−2".into(), -2.0)],
+        levels: vec![("± 2 standard errors".into(), 2.0), (String::new(), -2.0)],
         left: Vec::new(),
         legend: plotters::prelude::SeriesLabelPosition::UpperRight,
     }

@@ -99,7 +99,11 @@ impl StudyReport<'_> {
     }
 
     fn front_table(&self) -> Block {
-        let head = ["row".to_string()].into_iter().chain(self.goals.iter().cloned()).chain(self.study.axes.iter().map(Axis::key));
+        let with_unit = |goal: &String| {
+            let unit = self.study.columns.iter().find(|column| column.name() == *goal).map_or("", Column::unit);
+            if unit.is_empty() { goal.clone() } else { format!("{goal}, {unit}") }
+        };
+        let head = ["row".to_string()].into_iter().chain(self.goals.iter().map(with_unit)).chain(self.study.axes.iter().map(Axis::key));
         let row = |(row, figures): &(usize, Vec<f64>)| {
             let figures = figures.iter().map(|figure| decimals(*figure, 3));
             let inputs = self.study.inputs(*row).into_iter().map(|input| input.field());
@@ -147,9 +151,9 @@ impl StudyReport<'_> {
                 *reasons.entry(kind_of(why)).or_default() += 1;
             }
         }
-        let mut reasons: Vec<(String, usize)> = reasons.into_iter().collect();
-        reasons.sort_by(|(a, a_count), (b, b_count)| b_count.cmp(a_count).then(a.cmp(b)));
-        let reasons: Vec<Vec<String>> = reasons.into_iter().take(LISTED).map(|(why, count)| vec![why, count.to_string()]).collect();
+        let mut refusals: Vec<(String, usize)> = reasons.into_iter().collect();
+        refusals.sort_by(|(a, a_count), (b, b_count)| b_count.cmp(a_count).then(a.cmp(b)));
+        let reasons: Vec<Vec<String>> = refusals.iter().cloned().take(LISTED).map(|(why, count)| vec![why, count.to_string()]).collect();
         let head = |words: &[&str]| words.iter().map(ToString::to_string).collect();
         let mut blocks = Vec::new();
         // A study may count violations without a margin of each rule.
@@ -158,7 +162,9 @@ impl StudyReport<'_> {
             counted.map_or(0, |at| (0..rows).filter(|row| self.outcomes.figure(*row, at).is_some_and(|count| count > 0.0)).count());
         if violating > 0 {
             let which = if by_rule.is_empty() { "; give the measures `margin.RULE` to see which" } else { "" };
-            blocks.push(Block::Text(format!("{violating} of {known} evaluated rows violate a limit{which}.")));
+            let refused: usize = refusals.iter().map(|(_, count)| count).sum();
+            let none = if refused == 0 { String::new() } else { format!("; {refused} rows are no frames") };
+            blocks.push(Block::Text(format!("{violating} of {} frames violate a limit{which}{none}.", known - refused)));
         }
         if violating == 0 && by_rule.is_empty() && reasons.is_empty() {
             blocks.push(Block::Text("Nothing that the study looks at.".into()));
@@ -176,7 +182,7 @@ impl StudyReport<'_> {
 /// A reason by which rows are counted: its numbers are left out, each a `…`. A name with digits in it stays.
 fn kind_of(why: &str) -> String {
     let without_number = |word: &str| {
-        let end = word.trim_start_matches(['-', '(']).trim_end_matches([',', ';', ':', ')', '.']);
+        let end = word.trim_start_matches(['-', '(']).trim_end_matches([',', ';', ':', ')', '.', '°', '%']);
         if end.parse::<f64>().is_ok() { word.replace(end, "…") } else { word.to_string() }
     };
     why.split_whitespace().map(without_number).collect::<Vec<_>>().join(" ")
@@ -191,5 +197,6 @@ mod tests {
         let told = "the struts would tilt by -12.5 deg (at most 80); battery-2s-850 stays, 3mm too.";
         assert_eq!(kind_of(told), "the struts would tilt by -… deg (at most …); battery-2s-850 stays, 3mm too.");
         assert_eq!(kind_of("1.0"), "…");
+        assert_eq!(kind_of("the struts would tilt by 0.3°, or be 94 % out"), "the struts would tilt by …°, or be … % out");
     }
 }

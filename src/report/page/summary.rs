@@ -53,7 +53,8 @@ fn verdict(page: &mut String, findings: &[Finding]) {
     if broken.is_empty() {
         let _ = writeln!(page, "Every limit holds{count}{}\n", if warnings.is_empty() { "." } else { ":" });
     } else {
-        let _ = writeln!(page, "**{} limits are violated**{count}:\n", broken.len());
+        let limits = if broken.len() == 1 { "1 limit is".into() } else { format!("{} limits are", broken.len()) };
+        let _ = writeln!(page, "**{limits} violated**{count}:\n");
     }
     for finding in broken.iter().chain(&warnings) {
         let word = if finding.warns() { "warning: " } else { "**violated:** " };

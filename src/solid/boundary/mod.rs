@@ -27,7 +27,7 @@ mod touching;
 pub use curve::Curve;
 pub use not_exact::NotExact;
 pub use surface::{Surface, square_to};
-pub use topology::{Boundary, Edge, Face, Side};
+pub use topology::{Boundary, Edge, FLATNESS_MM, Face, Side};
 
 #[cfg(test)]
 mod tests {
