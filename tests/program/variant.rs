@@ -242,7 +242,7 @@ fn analytic_explain_labels_its_columns() {
     };
     assert_eq!(words("5 % less").join(" "), "5 % less as it is 5 % more");
     assert_eq!(words("value    "), ["value", "58", "g", "(follows", "from", "bought.battery)"]);
-    assert_eq!(words("mass "), ["mass", "g", "-2.90", "233.33", "+2.90"]);
+    assert_eq!(words("mass "), ["mass", "g", "-2.90", "233.32", "+2.90"]);
     assert!(out.contains("left and right of the middle stands the change"), "{out}");
     // At a bound there is no 5 % more.
     bench.write("most.toml", "base = \"cognifly\"\n[limits]\nground_clearance_mm = 60.0\n");
