@@ -26,6 +26,13 @@ pub(super) struct Args {
     pub kerf: Option<f64>,
 }
 
+impl Args {
+    /// Whether JSON is asked for by the format.
+    pub fn wants_json(&self) -> bool {
+        self.format == Some(BomFormat::Json)
+    }
+}
+
 /// Forms of a bill of materials.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub(super) enum BomFormat {

@@ -49,6 +49,13 @@ pub(super) struct Args {
     pub output: Option<PathBuf>,
 }
 
+impl Args {
+    /// Whether JSON is asked for by the format.
+    pub fn wants_json(&self) -> bool {
+        self.format == Some(PageFormat::Json)
+    }
+}
+
 /// Says what differs; exits 1 when a measure grew by more than allowed.
 pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let increases = args.fail_on_increase.iter().map(|text| Increase::parse(text)).collect::<Result<Vec<_>, _>>();

@@ -79,8 +79,8 @@ impl Arguments {
     fn wants_json(&self) -> bool {
         let by_format = match &self.command {
             Command::Check(args) => args.wants_json(),
-            Command::Diff(args) => args.format == Some(options::PageFormat::Json),
-            Command::Bom(args) => args.format == Some(bom::BomFormat::Json),
+            Command::Diff(args) => args.wants_json(),
+            Command::Bom(args) => args.wants_json(),
             _ => false,
         };
         self.common.json || by_format

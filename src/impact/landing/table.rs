@@ -206,6 +206,6 @@ mod tests {
         with_wide_registers(sensing(&mut wide));
         sensing(&mut narrow).run();
         assert!(wide == narrow && wide != begin);
-        assert!(wide.as_flattened().iter().any(|reading_g| *reading_g == 230.0), "one reaches the limit");
+        assert!(wide.as_flattened().contains(&230.0), "one reaches the limit");
     }
 }

@@ -153,7 +153,7 @@ impl StudyReport<'_> {
         }
         let mut refusals: Vec<(String, usize)> = reasons.into_iter().collect();
         refusals.sort_by(|(a, a_count), (b, b_count)| b_count.cmp(a_count).then(a.cmp(b)));
-        let reasons: Vec<Vec<String>> = refusals.iter().cloned().take(LISTED).map(|(why, count)| vec![why, count.to_string()]).collect();
+        let reasons: Vec<Vec<String>> = refusals.iter().take(LISTED).cloned().map(|(why, count)| vec![why, count.to_string()]).collect();
         let head = |words: &[&str]| words.iter().map(ToString::to_string).collect();
         let mut blocks = Vec::new();
         // A study may count violations without a margin of each rule.
