@@ -323,9 +323,9 @@ mod tests {
 
     #[test]
     fn analytic_a_little_shorter_saves_a_stock() {
-        // Three of 34 mm do not go into 100 mm with cuts of 1 mm between them, three of 32.6 mm do.
-        let found = savings(&[(ROLES[0], 34.0, 6), (ROLES[1], 90.0, 1)], 100.0, 1.0);
-        assert_eq!(found, [Saving { rod: ROLES[0].slug(), from_mm: 34.0, to_mm: 32.6 }]);
+        // Three of 100.5 mm do not go into 300 mm with cuts of 1 mm between them; three of 97.3 mm do, with a cut more and 5 mm that are kept.
+        let found = savings(&[(ROLES[0], 100.5, 6), (ROLES[1], 290.0, 1)], 300.0, 1.0);
+        assert_eq!(found, [Saving { rod: ROLES[0].slug(), from_mm: 100.5, to_mm: 97.3 }]);
         assert_eq!(savings(&[(ROLES[0], 60.0, 3)], 100.0, 1.0), [], "no twentieth makes two of one");
         assert_eq!(savings(&[(ROLES[0], 120.0, 3)], 100.0, 1.0), [], "longer than the stock");
     }

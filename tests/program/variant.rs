@@ -582,7 +582,7 @@ fn analytic_bill_in_every_form() {
         "# Bill of materials: cognifly",
         "| knee | 4 | tpu-95a |",
         "h by an estimate within 15 % of PrusaSlicer's",
-        "A stock length is saved by `cage` rods of 187.5 mm instead of 192.0 mm.",
+        "A stock length is saved by `cage` rods of 185.4 mm instead of 192.0 mm.",
         "(M2 x 4 mm)",
         "no price with a source",
         "| 1 | cage ",
