@@ -41,7 +41,7 @@ impl Frame {
         let number = |p: &Parameter| number(file, &bought, p);
         let frame = Self {
             name: file.name.clone(),
-            description: description(file)?,
+            description: text(file, "description")?.unwrap_or_default(),
             rods: RodParameters::read(number)?,
             fit: FitParameters::read(number)?,
             corner: CornerParameters::read(number)?,
@@ -70,19 +70,6 @@ impl Frame {
         bought_relation::hold(&frame).and_then(|()| relation::hold(&frame)).map_err(|broken| file.refuse(broken.key, *broken.reason))?;
         layer_height::hold(file, &frame)?;
         Ok(frame)
-    }
-}
-
-/// What the frame is, in its author's words: it is written into files that hold no control characters.
-fn description(file: &FrameFile) -> Result<String, Refusal> {
-    let key = "description";
-    let description = text(file, key)?.unwrap_or_default();
-    match description.chars().find(|c| c.is_control() && !['\n', '\r', '\t'].contains(c)) {
-        None => Ok(description),
-        Some(control) => {
-            let message = format!("`{key}` has a control character in it: U+{:04X}", u32::from(control));
-            Err(file.refuse(key, Reason::Impossible { message, remedy: "take it out".into() }))
-        }
     }
 }
 

@@ -83,10 +83,30 @@ fn planted_texts_in_a_built_folder_are_not_obeyed() {
     let plates: Vec<_> = plates.filter(|path| path.extension().is_some_and(|end| end == "3mf")).collect();
     let told: usize = plates.iter().map(|path| says_script_in_text_only(path)).sum();
     assert!(plates.len() == 2 && told > 0, "the text itself is in a plate");
+    run(folder.path(), &["export", "frame.toml", "-o", "o", "-q"]);
+    let model = read_of_export(&folder.path().join("o"), "model.config");
+    assert!(roxmltree::Document::parse(&model).expect("is XML").descendants().all(|node| !node.has_tag_name("script")), "{model}");
+    assert!(model.contains("&lt;script"), "the text itself is there: {model}");
     run(folder.path(), &["fold", "frame.toml", "-o", "o", "-q"]);
     let page = fs::read_to_string(folder.path().join("o/hostile-fold/instructions.html")).expect("is there");
     assert!(page.contains("&lt;script"), "the text itself is there");
     is_harmless_markup("instructions.html", &page);
+}
+
+/// The file of this name that `export` wrote somewhere below a folder.
+fn read_of_export(folder: &Path, name: &str) -> String {
+    let below = |folder: &Path| fs::read_dir(folder).expect("is there").map(|entry| entry.expect("is there").path()).collect::<Vec<_>>();
+    let mut folders = vec![folder.to_path_buf()];
+    while let Some(next) = folders.pop() {
+        for path in below(&next) {
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.file_name().is_some_and(|own| own == name) {
+                return fs::read_to_string(path).expect("UTF-8");
+            }
+        }
+    }
+    panic!("no {name}");
 }
 
 /// How often the files of a plate say "<script>" in their texts, as another reader of XML has them; no element is one.

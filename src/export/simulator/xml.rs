@@ -45,7 +45,9 @@ pub(super) fn text(xml: &mut Xml, name: &str, content: &str) -> io::Result<()> {
 
 /// An element with attributes and a text.
 pub(super) fn attributed_text(xml: &mut Xml, name: &str, attributes: Attributes, content: &str) -> io::Result<()> {
-    xml.create_element(name).with_attributes(attributes.iter().copied()).write_text_content(BytesText::new(content))?;
+    // XML has no place for control characters, escaped or not.
+    let content = content.replace(|c: char| c.is_control() && !['\n', '\r', '\t'].contains(&c), " ");
+    xml.create_element(name).with_attributes(attributes.iter().copied()).write_text_content(BytesText::new(&content))?;
     Ok(())
 }
 
