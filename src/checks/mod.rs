@@ -43,7 +43,7 @@ pub use printing::wall::{RULE as THINNEST_WALL, ThinnestWall};
 pub use propeller::{PropellerClearance, RULE as PROPELLER_CLEARANCE};
 pub use rule::{Blame, Cost, InSearch, Levers, Limit, Rule};
 pub use seating::{RULE as SOCKET_SEATING, SeatedEnd, SocketGeometry};
-pub use strength::{gives_way, strength};
+pub use strength::{design_drop, strength};
 
 #[cfg(test)]
 pub(crate) mod planted;

@@ -11,8 +11,8 @@ use super::rule::{Blame, Found, InSearch, Levers, Limit, Rule};
 use super::scene::Scene;
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::MassTable;
-use crate::mechanics::result::prediction::Prediction;
-use crate::mechanics::settings::DropLimits;
+use crate::mechanics::result::prediction::{Prediction, PredictionError, predict};
+use crate::mechanics::settings::{DropLimits, MechanicsSettings};
 
 /// The rod first: on frames of all sizes in the catalogue it moved the peak most. A flexible material changes it only where its modulus is stated.
 const PAYLOAD: &[&str] = &["bought.rod", "rods.strut_rod_length_mm"];
@@ -66,8 +66,20 @@ pub fn strength(design: &Design, masses: &MassTable, limits: &DropLimits, found:
     findings
 }
 
-/// A design drop that ends in no figures, as the frame gives way: its limits are not kept.
-pub fn gives_way(why: &str) -> Finding {
+/// The design drop of a frame by its own mechanics. One that ends in no figures, as the frame gives way, keeps no limit.
+///
+/// # Errors
+/// When the frame has no model.
+pub fn design_drop(design: &Design, masses: &MassTable, settings: &MechanicsSettings) -> Result<Vec<Finding>, PredictionError> {
+    match predict(design, masses, settings) {
+        Ok(found) => Ok(strength(design, masses, &settings.limits, &found)),
+        Err(error) if error.gives_way() => Ok(vec![gives_way(&error.to_string())]),
+        Err(error) => Err(error),
+    }
+}
+
+/// A design drop that cannot be followed.
+fn gives_way(why: &str) -> Finding {
     let lost = Measure { rule: RULE.id, value: 1.0, limit: 0.0, unit: "", levers: PAYLOAD };
     lost.at_most("frame".into(), format!("the design drop cannot be followed: {why}"))
 }
@@ -92,7 +104,6 @@ mod tests {
     use crate::frame::assembly::mass;
     use crate::frame::skeleton::RodRole;
     use crate::mechanics::result::strength::RodForce;
-    use crate::mechanics::settings::MechanicsSettings;
     use crate::params::Frame;
 
     #[test]

@@ -17,7 +17,6 @@ use crate::checks::gate::{
 };
 use crate::checks::{self, Finding};
 use crate::frame::assembly::mass;
-use crate::mechanics::result::prediction::predict;
 use crate::mechanics::settings::MechanicsSettings;
 use crate::memo::Memo;
 use crate::params::frame_file::read_source;
@@ -162,11 +161,7 @@ fn hold(
 fn strength(frame: Frame, file: &FrameFile, settings: &MechanicsSettings, memo: &Arc<Memo>) -> Result<Vec<Finding>, Failure> {
     let design = session::designed(frame, file, memo)?;
     let masses = mass::table(&design);
-    match predict(&design, &masses, settings) {
-        Ok(found) => Ok(checks::strength(&design, &masses, &settings.limits, &found)),
-        Err(error) if error.gives_way() => Ok(vec![checks::gives_way(&error.to_string())]),
-        Err(error) => Err(mechanics_refused(error)),
-    }
+    checks::design_drop(&design, &masses, settings).map_err(mechanics_refused)
 }
 
 fn refused(failure: &Failure) -> Refused {

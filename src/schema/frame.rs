@@ -83,12 +83,16 @@ fn target() -> Value {
     target
 }
 
+/// Extras of presets may be stated in part: the rest stands in the base. Of an extra that only a base of the user's own has, the schema asks all.
 fn extras() -> Value {
+    let of_presets = preset::names().filter_map(preset::text).filter_map(|text| text.parse::<toml::Table>().ok());
+    let names = of_presets.filter_map(|preset| Some(preset.get("extras")?.as_table()?.keys().cloned().collect::<Vec<_>>())).flatten();
+    let known: Map<String, Value> = names.map(|name| (name, catalogue::partial(catalogue::extra()))).collect();
     json!({
         "type": "object",
         "description": "Masses that no bought part stands for, each with a source.",
-        // What is missing may stand in a base, too.
-        "additionalProperties": catalogue::partial(catalogue::extra()),
+        "properties": known,
+        "additionalProperties": catalogue::extra(),
     })
 }
 

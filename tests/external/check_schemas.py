@@ -55,6 +55,7 @@ def main():
         done = subprocess.run([TAPLO, "check", "--schema", f"file://{paths[kind]}", str(file)], capture_output=True, text=True)
         return done.returncode, done.stderr
 
+    result("jsonschema: an extra of the base in part fits", not (found := faults("frame", BASE + "[extras.wiring]\nmass_g = 9.0\n")), found)
     for kind, files in GOOD.items():
         found = {str(file): faults(kind, file.read_text()) for file in files}
         result(f"jsonschema: {len(files)} of kind {kind} fit", not any(found.values()), found)

@@ -1,12 +1,11 @@
 //! What the frame's own mechanics say: pressed down, and dropped.
 
-use flexframe::checks;
+use flexframe::checks::{self, Finding};
 use flexframe::export::{File, deformed_glb};
 use flexframe::mechanics::model::frame_model::{Extent, FrameModel};
 use flexframe::mechanics::parts::parts_plan::part_models;
 use flexframe::mechanics::result::deformed::{Bound, DeformedBody};
 use flexframe::mechanics::result::impact::{Impact, Run};
-use flexframe::mechanics::result::prediction::{Prediction, predict};
 use flexframe::mechanics::result::static_curve::{DOWN_MM, INSIDE_MM, StaticCurve};
 use flexframe::mechanics::result::underside::Underside;
 use flexframe::mechanics::settings::MechanicsSettings;
@@ -29,14 +28,12 @@ fn settings(open: &OpenFrame) -> Result<MechanicsSettings, Refused> {
     Ok(MechanicsSettings::load(None)?.for_material(&open.design.frame.flexible.material))
 }
 
-/// What they predict of the design drop, and the numbers that they were asked with.
+/// The findings of the design drop, as of `check --strength`.
 ///
 /// # Errors
-/// When they cannot be computed.
-pub fn predicted(open: &OpenFrame) -> Result<(MechanicsSettings, Prediction), Refused> {
-    let settings = settings(open)?;
-    let found = predict(&open.design, &open.masses, &settings).map_err(refused)?;
-    Ok((settings, found))
+/// When the frame has no model.
+pub fn design_drop(open: &OpenFrame) -> Result<Vec<Finding>, Refused> {
+    checks::design_drop(&open.design, &open.masses, &settings(open)?).map_err(refused)
 }
 
 /// Stiffness and modes, as of `stiffness --json`.
@@ -52,6 +49,7 @@ pub fn stiffness(open: &OpenFrame) -> Result<Value, Refused> {
         frame: &open.design.frame.name,
         settings: &settings,
         curve: &curve,
+        gap_mm: checks::ground_clearance(&open.design, &open.masses).map(|ground| ground.clearance_mm),
         modes: Some(&modes),
         measured: &[],
         rms_n: None,

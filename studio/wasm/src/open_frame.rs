@@ -90,8 +90,7 @@ impl OpenFrame {
         if strength {
             let passes = begun.into_inner();
             tell_stage(passes, of(passes), "Design drop");
-            let (settings, found) = crate::mechanics::predicted(self)?;
-            findings.extend(checks::strength(&self.design, &self.masses, &settings.limits, &found));
+            findings.extend(crate::mechanics::design_drop(self)?);
         }
         let checked = CheckedFrame::new(&self.design.frame, self.workspace.file(), findings, (*self.masses).clone(), Policy::default());
         Ok(data::json(&[Outcome { asked: self.asked.clone(), result: Ok(checked) }]))
