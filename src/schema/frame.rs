@@ -7,7 +7,7 @@ use super::element::{number, put, table};
 use crate::params::roles::ROLES;
 use crate::params::sleeve_direction::SleeveDirection;
 use crate::params::target::{self, TargetKey};
-use crate::params::{Frame, follows, parameters, preset};
+use crate::params::{Frame, FrameFile, follows, parameters, preset};
 
 pub(super) fn schema() -> Value {
     let mut root = Map::new();
@@ -85,8 +85,9 @@ fn target() -> Value {
 
 /// Extras of presets may be stated in part: the rest stands in the base. Of an extra that only a base of the user's own has, the schema asks all.
 fn extras() -> Value {
-    let of_presets = preset::names().filter_map(preset::text).filter_map(|text| text.parse::<toml::Table>().ok());
-    let names = of_presets.filter_map(|preset| Some(preset.get("extras")?.as_table()?.keys().cloned().collect::<Vec<_>>())).flatten();
+    let of_presets = preset::names().filter_map(|name| FrameFile::parse(name, preset::text(name)?).ok());
+    let keys = of_presets.flat_map(|file| file.entries.into_keys());
+    let names = keys.filter_map(|key| Some(key.strip_prefix("extras.")?.split('.').next()?.to_string()));
     let known: Map<String, Value> = names.map(|name| (name, catalogue::partial(catalogue::extra()))).collect();
     json!({
         "type": "object",

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use flexframe::checks::gate::{CheckedFrame, Outcome, Policy, data};
-use flexframe::checks::{self, Cost};
+use flexframe::checks::Cost;
 use flexframe::export::bill;
 use flexframe::frame::assembly::Design;
 use flexframe::frame::assembly::mass::MassTable;
