@@ -6,8 +6,8 @@ use crate::params::parameter::Parameter;
 use crate::params::refusal::{Reason, Refusal};
 use crate::params::{Frame, FrameFile, ImpactFile, target};
 
-/// Refuses a rod's length that follows from the frame's target size; `key` is its place in the plan.
-pub(super) fn varies(file: &ImpactFile, key: &str, parameter: &Parameter, frame: &Frame) -> Result<(), Refusal> {
+/// Whether a number may vary: refuses a rod's length that follows from the frame's target size; `key` is its place in the plan.
+pub(super) fn can_vary(file: &ImpactFile, key: &str, parameter: &Parameter, frame: &Frame) -> Result<(), Refusal> {
     let own = format!("{}.{}", parameter.table, parameter.key);
     if !target::gives(frame, &own) {
         return Ok(());

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use super::axis::{Axis, twice};
 use super::column::Column;
-use super::frame_key::{refused_name, varies};
+use super::frame_key::{can_vary, refused_name};
 use super::plan::{Frames, Study, Subject};
 use super::plan_keys::{each_once, impossible, named, none_of, only_known, text, whole};
 use super::recovery;
@@ -158,7 +158,7 @@ fn number_axis(file: &ImpactFile, key: &str, frame: &Frame) -> Result<Axis, Refu
     let typed = key.strip_prefix("vary.").unwrap_or(key);
     let parameter = lookup(typed)
         .map_err(|error| file.refuse(key, impossible(error.to_string(), "`flexframe params` lists the keys of numbers".into())))?;
-    varies(file, key, parameter, frame)?;
+    can_vary(file, key, parameter, frame)?;
     let no_range = || {
         let message = format!("`{key}` is no range");
         file.refuse(key, impossible(message, format!("give [LEAST, MOST] within {} to {}", parameter.min, parameter.max)))

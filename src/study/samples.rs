@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::axis::{Axis, Input, twice};
-use super::frame_key::{refused_name, varies};
+use super::frame_key::{can_vary, refused_name};
 use super::plan_keys::impossible;
 use crate::params::frame_file::Value;
 use crate::params::lookup::known;
@@ -65,7 +65,7 @@ pub fn samples(file: &ImpactFile, text: &str, base: &FrameFile, frame: &Frame) -
 /// A column: a parameter, another number of a frame, or names.
 fn axis(file: &ImpactFile, key: &str, first: &str, base: &FrameFile, frame: &Frame) -> Result<Axis, Refusal> {
     if let Some(parameter) = known(key) {
-        varies(file, "table", parameter, frame)?;
+        can_vary(file, "table", parameter, frame)?;
         return Ok(Axis::Listed(parameter));
     }
     let reason = |value: Value| refused_name(base, key, value, format!("the column {key} of the table"));

@@ -2,14 +2,14 @@
 
 use super::measures::{Evaluation, Measure};
 
-/// What counts as nothing of a measure, as a share of its value at the start: 0.05 g of 250 g; and of a distance, in shares of the bounds.
+/// What counts as nothing of a measure, as a share of its value at the start, or of what is much of its unit where that is more: 0.05 g of 250 g; and of a distance, in shares of the bounds.
 const ALIKE: f64 = 2e-4;
 const ALIKE_NEAR: f64 = 5e-3;
 
 /// What is made small.
 #[derive(Clone)]
 pub enum Aim {
-    /// The sum of these measures, each by its weight and as a share of its value at the start. A weight below zero asks for more.
+    /// The sum of these measures, each by its weight and as a share of its value at the start, or of what is much of its unit. A weight below zero asks for more.
     Least(Vec<(&'static Measure, f64)>),
     /// The distance of a measure from a value.
     Toward(&'static Measure, f64),

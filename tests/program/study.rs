@@ -290,6 +290,26 @@ fn planted_rows_of_another_plan_are_no_rows_of_this_one() {
     assert!(out["known"].as_u64().is_some_and(|known| (1..9).contains(&known)) && out["table"].is_null(), "{out}");
 }
 
+/// A frame whose rods follow from its size.
+const SIZED: &str = "base = \"cognifly\"\n[target]\nwidth_mm = 240.0\nheight_mm = 124.0\nstrut_tilt_deg = 24.0\n";
+
+/// However its keys are spelled, a plan has the same rows; and a size may be a column.
+#[test]
+fn analytic_rows_follow_from_what_varies_and_sizes_may_be_columns() {
+    let rows = |vary: &str| {
+        let text = format!("samples = 4\nmeasures = [\"mass\"]\n[vary]\n{vary}");
+        let files = flexframe::params::files::Memory([("s.toml".into(), text.into_bytes())].into_iter().collect());
+        let study = flexframe::study::load("s.toml", &files).expect("is a plan");
+        (0..study.rows()).map(|row| study.inputs(row)).collect::<Vec<_>>()
+    };
+    assert_eq!(rows("cage_rod = [190, 192]\nrods.arm_rod_length_mm = [81, 82]\n"), rows("arm_rod = [81, 82]\ncage_rod = [190, 192]\n"));
+    let desk = Desk::new("base = \"sized.toml\"\nmeasures = [\"mass\"]\ntable = \"sizes.csv\"\n");
+    fs::write(desk.path().join("sized.toml"), SIZED).expect("can be written");
+    fs::write(desk.path().join("sizes.csv"), "target.width_mm\n238\n240\n").expect("can be written");
+    let out: Value = serde_json::from_str(&desk.good(&["run", "s.toml", "--json"])).expect("JSON");
+    assert_eq!((&out["known"], &out["refused"]), (&serde_json::json!(2), &serde_json::json!(0)), "{out}");
+}
+
 #[test]
 fn planted_plans_that_cannot_be_are_refused_at_their_line() {
     let vary = "[vary]\narm_rod = [70, 80]\n";
@@ -313,8 +333,15 @@ fn planted_plans_that_cannot_be_are_refused_at_their_line() {
         ("samples = 3\n".into(), "nothing varies"),
         ("table = \"t.csv\"\n".into(), "cannot read"),
         (format!("base = \"no-such\"\n{vary}"), "no frame `no-such`"),
+        (format!("sampling = \"grid\"\nseed = 9\n{vary}"), "`seed` does nothing with sampling = \"grid\""),
+        (format!("measures = [\"mass\"]\nmechanics = \"none.toml\"\n{vary}"), "`mechanics` does nothing with measures"),
+        ("[choose]\nbought.battery = [\"battery-2s-850\", \"battery-2s-850\"]\n".into(), "has battery-2s-850 twice"),
+        (format!("base = \"sized.toml\"\n{vary}"), "`rods.arm_rod_length_mm` cannot vary: it follows from [target]"),
+        ("table = \"unknown.csv\"\n".into(), "unknown key `arm_rood`"),
     ];
     let desk = Desk::new("");
+    fs::write(desk.path().join("sized.toml"), SIZED).expect("can be written");
+    fs::write(desk.path().join("unknown.csv"), "arm_rood\n78\n").expect("can be written");
     for (plan, word) in &cases {
         fs::write(desk.path().join("s.toml"), plan).expect("can be written");
         let (code, _, err) = desk.run(&["run", "s.toml"]);
@@ -412,6 +439,8 @@ fn planted_plans_of_hidden_effects_that_cannot_be_are_refused_at_their_line() {
         (format!("kind = \"recovery\"\neffects = [\"preloads\"]\n{seeds}"), "`preload`"),
         (format!("kind = \"recovery\"\nmeasures = [\"verdicts\"]\n{seeds}"), "`verdict`"),
         (format!("kind = \"recovery\"\nstrengths = [0]\n{seeds}"), "strengths"),
+        (format!("kind = \"recovery\"\nlevels = [2, 2]\n{seeds}"), "`levels` has 2 twice"),
+        (format!("kind = \"recovery\"\nstrengths = [5, 5]\n{seeds}"), "`strengths` has 5 twice"),
         (format!("kind = \"recovery\"\nmost_effects = 4\n{seeds}"), "most_effects"),
         (format!("kind = \"recovery\"\nbase = \"cognifly\"\n{seeds}"), "`base`"),
         ("kind = \"recovery\"\n[seeds]\none = [5, 5]\n".into(), "no range of seeds"),

@@ -194,6 +194,15 @@ fn planted_a_file_against_its_former_self() {
     let variables = [("GIT_DIR", repository), ("GIT_WORK_TREE", tree)];
     let done = apart.command(&["diff", "--git", "HEAD", "far.toml"]).envs(variables).output().expect("starts");
     assert_eq!(done.status.code(), Some(0), "{}", String::from_utf8_lossy(&done.stderr));
+    // A link is what it leads to.
+    #[cfg(unix)]
+    {
+        std::os::unix::fs::symlink("deep.toml", bench.path("sub/link.toml")).expect("can be made");
+        bench.git(&["add", "sub"]);
+        bench.git(&["commit", "--quiet", "-m", "three"]);
+        let (code, out, err) = bench.run(&["diff", "--git", "HEAD", "sub/link.toml"]);
+        assert!(code == 0 && out.contains("limits.mass_budget_g"), "{out} {err}");
+    }
     bench.write("new.toml", "base = \"cognifly\"\n");
     let (code, _, err) = bench.run(&["diff", "--git", "HEAD", "new.toml"]);
     assert!(code == 2 && err.contains("it is not in "), "{err}");

@@ -7,7 +7,7 @@ use crate::solid::{Feature, Mesh, MeshSolid, gate};
 
 /// Dimensions are held to this, mm.
 pub const CLOSE_MM: f64 = 0.05;
-/// Largest difference of a side of a part's box from the measured one, mm.
+/// Largest difference of a side of a part's box from the measured one, mm: chosen; the fork's is the largest, 0.08 mm.
 const LIKE_MM: f64 = 0.1;
 
 /// The frame that the parts were measured on.

@@ -136,6 +136,15 @@ fn analytic_walls_and_gaps_are_as_wide_as_they_are() {
     assert_eq!(Walls::of(&solid, 0.2, 3.4), Walls::default());
 }
 
+/// A fin that begins above the last whole step of the cuts.
+#[test]
+fn analytic_the_top_of_a_part_is_measured_too() {
+    let fin = block([0.0, 4.0, 0.8], [10.0, 4.5, 1.15]);
+    let (_, mesh) = made(&Feature::union([block([0.0; 3], [10.0, 10.0, 0.8]), fin]));
+    let wall = Walls::of(&mesh, 0.2, 3.4).wall.expect("a wall");
+    assert!((wall.mm - 0.5).abs() < 1e-4, "{wall:?}");
+}
+
 #[test]
 fn analytic_the_crown_of_a_lying_tube_is_no_wall() {
     let (_, mesh) = made(&Feature::cylinder(3.03, 10.0).turned_x(Angle::deg(90.0)));

@@ -113,10 +113,9 @@ pub fn table(found: &Impacts) -> String {
     let open = found.impacts.iter().map(|impact| impact.unaccounted).max_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(0.0);
     text += &format!("\nthe energies add up to within {:.1} % of that of the impact\n", 100.0 * open.abs());
     if open.abs() > MOST_OPEN {
-        let what = if open > 0.0 { "lost" } else { "made" };
-        text += &format!(
-            "warning: so much energy is {what} by the steps of the computation: rebound, and what is left at the end, are wrong by as much\n"
-        );
+        // A motion that gains so much is refused ([`crate::mechanics::result::impact::ImpactError`]).
+        text +=
+            "warning: so much energy is lost by the steps of the computation: rebound, and what is left at the end, are wrong by as much\n";
     }
     text +=
         "proper: of the payload; sensor: behind a low-pass of 500 Hz; logged: of readings a millisecond apart, as measured peaks are\n\n";

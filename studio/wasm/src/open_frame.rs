@@ -5,8 +5,8 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use flexframe::checks::gate::{CheckedFrame, Outcome, Policy, data};
 use flexframe::checks::Cost;
+use flexframe::checks::gate::{CheckedFrame, Outcome, Policy, data};
 use flexframe::export::bill;
 use flexframe::frame::assembly::Design;
 use flexframe::frame::assembly::mass::MassTable;
