@@ -3,6 +3,7 @@
 use crate::mechanics::element::relaxation::Relaxation;
 use crate::mechanics::parts::section::Elastic;
 use crate::params::catalogue::Material;
+use crate::params::files::{Disk, Files};
 use crate::params::frame::NamedMaterial;
 use crate::params::refusal::{Reason, Refusal};
 use crate::params::{ImpactFile, LoadError};
@@ -71,14 +72,16 @@ pub const IMPACT_MODULUS: [f64; 2] = [0.1, 3.0];
 pub const IMPACT_LOSS: [f64; 2] = [0.0, 3.0];
 
 /// What a data sheet says of the material's modulus: its key, bounds and unit. It may be missing.
-const TENSILE: (&str, [f64; 2], &str) = ("flexible.tensile_mpa", [0.1, 1e4], "MPa");
+pub const TENSILE: (&str, [f64; 2], &str) = ("flexible.tensile_mpa", [0.1, 1e4], "MPa");
 
 /// A number of the file.
-struct Key {
+pub struct Key {
     /// As it is stated, with its table.
-    name: &'static str,
-    bounds: [f64; 2],
-    unit: &'static str,
+    pub name: &'static str,
+    /// Least and largest value.
+    pub bounds: [f64; 2],
+    /// Its unit.
+    pub unit: &'static str,
     /// Where it is kept.
     of: fn(&mut MechanicsSettings) -> &mut f64,
 }
@@ -88,7 +91,7 @@ const fn key(name: &'static str, bounds: [f64; 2], unit: &'static str, of: fn(&m
 }
 
 /// Every number that has to be stated, in the order of the file: the only list.
-const KEYS: [Key; 22] = [
+pub const KEYS: [Key; 22] = [
     key("flexible.young_mpa", [10.0, 400.0], "MPa", |s| &mut s.young_mpa),
     key("flexible.young_low_mpa", [5.0, 400.0], "MPa", |s| &mut s.young_band_mpa[0]),
     key("flexible.young_high_mpa", [10.0, 800.0], "MPa", |s| &mut s.young_band_mpa[1]),
@@ -130,7 +133,15 @@ impl MechanicsSettings {
     /// # Errors
     /// When it cannot be read, lacks a number, or one is out of bounds.
     pub fn load(path: Option<&str>) -> Result<Self, LoadError> {
-        Ok(Self::read(&ImpactFile::mechanics(path)?)?)
+        Self::load_from(path, &Disk)
+    }
+
+    /// The same with files from somewhere else than the disk.
+    ///
+    /// # Errors
+    /// As [`Self::load`].
+    pub fn load_from(path: Option<&str>, files: &dyn Files) -> Result<Self, LoadError> {
+        Ok(Self::read(&ImpactFile::mechanics(path, files)?)?)
     }
 
     /// Reads them from a file.

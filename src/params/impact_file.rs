@@ -90,13 +90,12 @@ impl ImpactFile {
     ///
     /// # Errors
     /// When the file cannot be read, or is not TOML.
-    pub fn mechanics(path: Option<&str>) -> Result<Self, LoadError> {
-        if let Some(path) = path {
-            let (name, source) = read_source(PathBuf::from(path))?;
-            return Ok(Self { kind: Kind::Mechanics, ..Self::read(name, source)? });
-        }
-        let source = Source { name: "params/mechanics.toml".into(), text: MECHANICS.into() };
-        Ok(Self { kind: Kind::Mechanics, ..Self::read("mechanics".into(), Arc::new(source))? })
+    pub fn mechanics(path: Option<&str>, files: &dyn Files) -> Result<Self, LoadError> {
+        let (name, source) = match path {
+            Some(path) => read_from(PathBuf::from(path), files)?,
+            None => ("mechanics".into(), Arc::new(Source { name: "params/mechanics.toml".into(), text: MECHANICS.into() })),
+        };
+        Ok(Self { kind: Kind::Mechanics, ..Self::read(name, source)? })
     }
 
     /// Reads a model from text.

@@ -7,6 +7,11 @@ pub(super) fn table(description: &str, properties: serde_json::Map<String, Value
     json!({ "type": "object", "description": description, "additionalProperties": false, "properties": properties })
 }
 
+/// A file with these keys and no others.
+pub(super) fn closed(keys: serde_json::Map<String, Value>, required: &[&str]) -> Value {
+    json!({ "type": "object", "additionalProperties": false, "required": required, "properties": keys })
+}
+
 /// A number within bounds.
 pub(super) fn number(description: &str, unit: &str, [min, max]: [f64; 2], example: Option<f64>) -> Value {
     let unit = if unit.is_empty() || unit == "1" { String::new() } else { format!(" Unit: {unit}.") };

@@ -1,10 +1,12 @@
-//! JSON Schemas (draft 7) of input files, generated from the tables that the readers use; plans of studies and settings of the mechanics have none. Editors that support `#:schema`
+//! JSON Schemas (draft 7) of input files, generated from the tables that the readers use. Editors that support `#:schema`
 //! complete and check files with them. A schema describes each key. Contradictions between keys are found by the program only.
 
 mod catalogue;
 mod element;
 mod frame;
+mod mechanics;
 mod model;
+mod study;
 
 use serde_json::{Value, json};
 
@@ -20,10 +22,12 @@ pub struct FileKind {
 }
 
 /// Every kind of file that has a schema.
-pub const CATALOGUE: [FileKind; 7] = [
+pub const CATALOGUE: [FileKind; 9] = [
     kind("frame", "A frame file", "frame of flexframe", frame::schema),
     kind("model", "An impact model", "impact model of flexframe", model::schema),
     kind("plan", "A plan of synthetic drops", "plan of synthetic drops of flexframe", model::plan),
+    kind("study", "A plan of a study", "plan of a study of flexframe", study::schema),
+    kind("mechanics", "The numbers of the frame's mechanics", "mechanics of flexframe", mechanics::schema),
     kind("bought", "The form of params/bought.toml", "bought parts of flexframe", catalogue::bought),
     kind("materials", "The form of params/materials.toml", "materials of flexframe", catalogue::materials),
     kind("printer", "A printer", "printer of flexframe", catalogue::printer),

@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
-use super::element::{number, put, table};
+use super::element::{closed, number, put, table};
 use crate::impact::effects::{CATALOGUE, CHANNEL, CURVE, PLAIN_NUMBERS, POINTS, REACH_MM, channel_words};
 use crate::impact::synthetic::{HEIGHT_BOUNDS_M, HEIGHTS, Hidden, KIND, LAW, PLAN_NUMBERS, PlanNumber, ScatterLaw};
 
@@ -21,10 +21,6 @@ pub(super) fn plan() -> Value {
         json!({ "type": "array", "minItems": 1, "items": number("", "m", HEIGHT_BOUNDS_M, None), "description": "Heights of the drops." });
     put(&mut root, HEIGHTS, heights);
     closed(root, &["mass_kg", "gap_mm", "sensor", "effects", "drops"])
-}
-
-fn closed(keys: Map<String, Value>, required: &[&str]) -> Value {
-    json!({ "type": "object", "additionalProperties": false, "required": required, "properties": keys })
 }
 
 fn keys() -> Map<String, Value> {

@@ -32,7 +32,8 @@ pub use outcomes::{Outcome, Outcomes};
 #[cfg(feature = "parquet")]
 pub use parquet_table::parquet;
 pub use plan::{Frames, Study, Subject};
-pub use plan_file::{SAMPLES, load};
+pub use plan_file::{KEYS, SAMPLES, load};
+pub use plan_keys::{KINDS, PlanKey, Takes};
 pub use samples::samples;
 pub use sampling::{Sampling, most_rows};
 pub use sobol_indices::{Index, Indices, IndicesError, indices};

@@ -8,10 +8,10 @@ use super::axis::{Axis, twice};
 use super::column::Column;
 use super::frame_key::{can_vary, refused_name};
 use super::plan::{Frames, Study, Subject};
-use super::plan_keys::{each_once, impossible, named, none_of, only_known, text, whole};
+use super::plan_keys::{KINDS, PlanKey, Takes, each_once, impossible, named, none_of, only_known, plan_key, text, whole};
 use super::recovery;
 use super::samples::samples;
-use super::sampling::{Layers, NAMES, SOBOL_DIMENSIONS, Sampling, most_rows};
+use super::sampling::{Layers, MOST_ROWS, NAMES, SOBOL_DIMENSIONS, Sampling, most_rows};
 use super::sobol_indices::LEAST_GROUPS;
 use crate::mechanics::settings::MechanicsSettings;
 use crate::params::files::Files;
@@ -31,14 +31,26 @@ const MOST_POINTS: f64 = 10_000.0;
 const MOST_NAMES: usize = 1000;
 /// Largest table of samples read, bytes.
 const LARGEST_TABLE: u64 = 1 << 30;
-/// Keys beside the tables `vary` and `choose`.
-const KEYS: [&str; 10] = ["kind", "base", "sampling", "samples", "points", "seed", "measures", "mechanics", "table", "description"];
+/// Bounds of a seed.
+const SEED: [f64; 2] = [0.0, u32::MAX as f64];
+/// The tables of what varies, beside [`KEYS`].
+const TABLES: [&str; 2] = ["vary", "choose"];
+/// Keys of a plan of frames, beside the tables `vary` and `choose`.
+pub const KEYS: [PlanKey; 10] = [
+    plan_key("kind", Takes::Word(&KINDS), "What the rows are."),
+    plan_key("base", Takes::Text, "A preset, or a frame file beside the plan."),
+    plan_key("sampling", Takes::Word(&NAMES), "How the rows are spread over the ranges."),
+    plan_key("samples", Takes::Whole([1.0, MOST_ROWS as f64]), "Rows; with saltelli groups of rows."),
+    plan_key("points", Takes::Whole([1.0, MOST_POINTS]), "Values of each range of a grid."),
+    plan_key("seed", Takes::Whole(SEED), "Seed of all random numbers."),
+    plan_key("measures", Takes::Names(Column::names), "The columns."),
+    plan_key("mechanics", Takes::Text, "A file beside the plan with the numbers of the mechanics."),
+    plan_key("table", Takes::Text, "A CSV file of samples beside the plan, in place of vary and choose."),
+    plan_key("description", Takes::Text, "One line about the plan."),
+];
 /// What is said of each frame when a plan does not say.
 const MEASURES: [&str; 8] =
     ["mass", "envelope.width", "envelope.depth", "envelope.height", "clearance.propeller", "peak", "margins", "violations"];
-
-/// What the rows of a plan may be; a plan that does not say has frames.
-const KINDS: [&str; 2] = ["frames", "recovery"];
 
 /// Reads a plan: the path of a TOML file.
 ///
@@ -54,7 +66,7 @@ pub fn load(path: &str, files: &dyn Files) -> Result<Study, LoadError> {
 
 /// A study of frames; files are named from the plan's folder.
 fn of_frames(file: ImpactFile, folder: &Path, files: &dyn Files) -> Result<Study, LoadError> {
-    only_known(&file, &KEYS, &["vary", "choose"])?;
+    only_known(&file, &KEYS, &TABLES)?;
     let named = text(&file, "base")?.unwrap_or_else(|| "cognifly".into());
     let base_name = beside(folder, named);
     let base = FrameFile::load_from(&base_name, files)?;
@@ -65,7 +77,7 @@ fn of_frames(file: ImpactFile, folder: &Path, files: &dyn Files) -> Result<Study
     if !asks_mechanics {
         none_of(&file, &["mechanics"], "measures that need no mechanics")?;
     }
-    let mechanics = asks_mechanics.then(|| MechanicsSettings::load(mechanics_path.as_deref())).transpose()?;
+    let mechanics = asks_mechanics.then(|| MechanicsSettings::load_from(mechanics_path.as_deref(), files)).transpose()?;
     let (axes, sampling, listed) = match text(&file, "table")? {
         Some(table) => {
             none_of(&file, &["sampling", "samples", "points", "seed"], "a table")?;
@@ -79,7 +91,7 @@ fn of_frames(file: ImpactFile, folder: &Path, files: &dyn Files) -> Result<Study
             (axes, sampling, String::new())
         }
     };
-    let seed = whole(&file, "seed", [0.0, f64::from(u32::MAX)])?.unwrap_or(1) as u32;
+    let seed = whole(&file, "seed", SEED)?.unwrap_or(1) as u32;
     let text = format!("{}\n{}\n{listed}\n{mechanics:?}", typed(&file.entries), typed(&base.entries));
     let subject = Subject::Frames(Frames { base, base_name, mechanics });
     Ok(Study { name: file.name, subject, axes, sampling, seed, columns, text })

@@ -1,8 +1,45 @@
-//! What the kinds of plans have in common: keys, texts, whole numbers and names as typed.
+//! What the kinds of plans have in common: keys, and texts, whole numbers and names as typed. The schema has the keys from the same lists.
 
 use crate::params::ImpactFile;
 use crate::params::frame_file::Value;
 use crate::params::refusal::{Reason, Refusal, nearest};
+
+/// What the rows of a plan may be; a plan that does not say has frames.
+pub const KINDS: [&str; 2] = ["frames", "recovery"];
+
+/// A key of a plan.
+pub struct PlanKey {
+    /// As it is stated, with its table.
+    pub key: &'static str,
+    /// What it takes.
+    pub takes: Takes,
+    /// What it is, in a sentence.
+    pub doc: &'static str,
+}
+
+/// What a key takes.
+pub enum Takes {
+    /// A text.
+    Text,
+    /// One of these words.
+    Word(&'static [&'static str]),
+    /// A whole number within bounds.
+    Whole([f64; 2]),
+    /// A number within bounds, in its unit.
+    Number([f64; 2], &'static str),
+    /// A list of different numbers within bounds, in their unit.
+    Numbers([f64; 2], &'static str),
+    /// A list of different whole numbers within bounds.
+    Wholes([f64; 2]),
+    /// A list of names; what there are.
+    Names(fn() -> Vec<String>),
+    /// First seed, and the seed after the last, within bounds.
+    Seeds([f64; 2]),
+}
+
+pub(super) const fn plan_key(key: &'static str, takes: Takes, doc: &'static str) -> PlanKey {
+    PlanKey { key, takes, doc }
+}
 
 /// A reason in words.
 pub(super) fn impossible(message: String, remedy: String) -> Reason {
@@ -10,7 +47,8 @@ pub(super) fn impossible(message: String, remedy: String) -> Reason {
 }
 
 /// Refuses the first key that is none of these and does not begin like one of `tables`.
-pub(super) fn only_known(file: &ImpactFile, keys: &[&str], tables: &[&str]) -> Result<(), Refusal> {
+pub(super) fn only_known(file: &ImpactFile, keys: &[PlanKey], tables: &[&str]) -> Result<(), Refusal> {
+    let keys: Vec<&str> = keys.iter().map(|known| known.key).collect();
     let known =
         |key: &str| keys.contains(&key) || tables.iter().any(|table| key.strip_prefix(table).is_some_and(|rest| rest.starts_with('.')));
     let Some(key) = file.entries.keys().find(|key| !known(key)) else { return Ok(()) };

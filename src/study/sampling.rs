@@ -52,9 +52,12 @@ pub(super) const NAMES: [&str; 4] = ["latin_hypercube", "sobol", "saltelli", "gr
 /// Sobol' points that the crate has for one seed.
 const SOBOL_POINTS: usize = 1 << 16;
 
+/// Most rows of any sampling.
+pub(super) const MOST_ROWS: usize = 1_000_000;
+
 /// Most rows of a sampling, or groups of `saltelli`.
 pub fn most_rows(name: &str) -> usize {
-    if matches!(name, "sobol" | "saltelli") { SOBOL_POINTS } else { 1_000_000 }
+    if matches!(name, "sobol" | "saltelli") { SOBOL_POINTS } else { MOST_ROWS }
 }
 
 impl Sampling {

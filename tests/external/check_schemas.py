@@ -13,6 +13,8 @@ GOOD = {
     "frame": sorted(Path("params/frames").glob("*.toml")),
     "model": sorted(Path("params/impact").glob("*.toml")),
     "plan": sorted(Path("params/synthetic").glob("*.toml")),
+    "study": sorted(Path("examples/studies").glob("*.toml")),
+    "mechanics": [Path("params/mechanics.toml")],
     "bought": [Path("params/bought.toml")],
     "materials": [Path("params/materials.toml")],
     "printer": sorted(Path("params/printers").glob("*.toml")),
@@ -30,6 +32,13 @@ MISTAKES = {
     "unknown effect": ("model", Path("params/impact/paper.toml").read_text() + "\n[effects.magic]\nk = 1\n"),
     "model without mass": ("model", Path("params/impact/paper.toml").read_text().replace("mass_kg", "# mass_kg")),
     "plan without drops": ("plan", Path("params/impact/paper.toml").read_text()),
+    "study with a number of no range": ("study", "[vary]\narm_rod = 80\n"),
+    "study of a measure that is none": ("study", 'measures = ["weight"]\n[vary]\narm_rod = [70, 90]\n'),
+    "study of frames with seeds": ("study", "[vary]\narm_rod = [70, 90]\n[seeds]\none = [1, 2]\n"),
+    "study of hidden effects that varies a rod": ("study", 'kind = "recovery"\n[seeds]\none = [1, 2]\n[vary]\narm_rod = [70, 90]\n'),
+    "study of an unknown sampling": ("study", 'sampling = "random"\n[vary]\narm_rod = [70, 90]\n'),
+    "mechanics without a number": ("mechanics", Path("params/mechanics.toml").read_text().replace("poisson", "# poisson")),
+    "mechanics out of bounds": ("mechanics", Path("params/mechanics.toml").read_text().replace("friction = ", "friction = 3")),
     "printer with a wrong bed": ("printer", Path("params/printers/prusa-mini.toml").read_text().replace("rectangular", "oval")),
 }
 
@@ -59,7 +68,7 @@ def main():
     for kind, files in GOOD.items():
         found = {str(file): faults(kind, file.read_text()) for file in files}
         result(f"jsonschema: {len(files)} of kind {kind} fit", not any(found.values()), found)
-    for kind, file in (("frame", GOOD["frame"][0]), ("model", GOOD["model"][0]), ("bought", GOOD["bought"][0])):
+    for kind, file in (("frame", GOOD["frame"][0]), ("model", GOOD["model"][0]), ("bought", GOOD["bought"][0]), ("study", Path("examples/studies/recovery-laws.toml")), ("mechanics", GOOD["mechanics"][0])):
         code, said = taplo(kind, file)
         result(f"taplo: {file} fits", code == 0, said)
     # As an editor finds it: the file names its schema.

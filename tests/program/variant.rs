@@ -704,9 +704,13 @@ fn analytic_schemas_name_every_parameter_and_its_bounds() {
         let text = entry["description"].as_str().expect("text");
         assert!(text.starts_with(p.doc.trim()) && text.contains(p.unit()), "{text}");
     }
-    for kind in ["frame", "model", "plan", "bought", "materials", "printer", "baseline"] {
+    for kind in ["frame", "model", "plan", "study", "mechanics", "bought", "materials", "printer", "baseline"] {
         assert_eq!(bench.json(&["schema", kind])["type"], "object", "{kind}");
     }
+    let study = bench.json(&["schema", "study"]);
+    assert_eq!(study["properties"]["vary"]["properties"]["rods"]["properties"]["arm_rod_length_mm"]["items"]["type"], "number");
+    assert_eq!(study["then"]["required"], serde_json::json!(["seeds"]));
+    assert_eq!(bench.json(&["schema", "mechanics"])["properties"]["ground"]["properties"]["friction"]["maximum"], 1.0);
     let part = &bench.json(&["schema", "bought"])["properties"]["parts"]["additionalProperties"];
     assert_eq!(
         (part["additionalProperties"].clone(), part["properties"]["mass_g"]["description"].clone()),

@@ -139,7 +139,7 @@ const LAYERS: [(&str, &[&str]); 41] = [
             "variant",
         ],
     ),
-    ("schema", &["params", "impact/effects", "impact/synthetic"]),
+    ("schema", &["params", "mechanics", "impact/effects", "impact/synthetic", "study"]),
     (
         "report",
         &[

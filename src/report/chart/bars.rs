@@ -2,7 +2,7 @@
 
 use plotters::prelude::*;
 
-use super::plot::{Area, Chart, Drawn, FONT, MARGIN, colour, number, titled};
+use super::plot::{Area, Chart, Drawn, FONT, MARGIN, colour, group_names, number, titled};
 
 /// The bars of a height.
 pub(in crate::report) struct Group {
@@ -27,8 +27,8 @@ pub(in crate::report) struct Bars {
 /// Where the legend begins, pixels.
 const LEGEND: (i32, i32) = (780, 24);
 
-/// Room above the highest bar for a group's label, %.
-const LABEL_PERCENT: f64 = 6.0;
+/// Width and height of what is drawn of the groups, pixels, about.
+const GROUPS: [f64; 2] = [690.0, 480.0];
 /// Room below the lowest bar where one is negative, %.
 const BELOW_PERCENT: f64 = 4.0;
 
@@ -54,13 +54,16 @@ impl Chart for Bars {
     fn draw<B: DrawingBackend>(&self, area: &Area<B>) -> Drawn<B> {
         let count = self.groups.len() as f64;
         let area = &titled(area, &self.title)?;
+        let names = group_names(area, self.groups.iter().map(|group| &group.label[..]), GROUPS)?;
+        let (lowest, highest) = (self.lowest(), self.highest());
+        let room = (highest - lowest) * names.height / (1.0 - names.height);
         let mut chart = ChartBuilder::on(area)
             .margin(MARGIN)
             .margin_top(MARGIN / 2)
             .x_label_area_size(44)
             .y_label_area_size(60)
             .margin_right(200)
-            .build_cartesian_2d(0.0..count, self.lowest()..self.highest() + LABEL_PERCENT)?;
+            .build_cartesian_2d(0.0..count, lowest..highest + room)?;
         let across = format!("drop height, m; left bar: {}, right bar: {}", self.sides[0], self.sides[1]);
         let mesh = &mut chart.configure_mesh();
         mesh.disable_x_mesh().disable_x_axis().x_desc(across).y_desc("share, %").x_labels(0);
@@ -80,14 +83,10 @@ impl Chart for Bars {
             area.draw(&Rectangle::new([(x, y), (x + 14, y + 14)], style))?;
             area.draw(&Text::new(*title, (x + 22, y), TextStyle::from((FONT, 16))))?;
         }
-        let centred = TextStyle::from((FONT, 18)).pos(plotters::style::text_anchor::Pos::new(
-            plotters::style::text_anchor::HPos::Center,
-            plotters::style::text_anchor::VPos::Bottom,
-        ));
         let labels = self.groups.iter().enumerate();
-        chart.draw_series(
-            labels.map(|(at, group)| Text::new(group.label.clone(), (at as f64 + 0.5, self.highest() + 1.0), centred.clone())),
-        )?;
+        let label =
+            |(at, group): (usize, &Group)| Text::new(group.label.clone(), (at as f64 + 0.5, highest + 0.15 * room), names.style.clone());
+        chart.draw_series(labels.map(label))?;
         Ok(())
     }
 }

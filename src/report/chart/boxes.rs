@@ -2,7 +2,7 @@
 
 use plotters::prelude::*;
 
-use super::plot::{Area, Chart, Drawn, FONT, MARGIN, colour, number, titled};
+use super::plot::{Area, Chart, Drawn, FONT, MARGIN, colour, group_names, number, titled};
 use crate::impact::measured::Spread;
 
 /// Values of a kind and a group.
@@ -38,6 +38,8 @@ pub(in crate::report) struct Boxes {
 /// Where the legend begins, pixels.
 const LEGEND: (i32, i32) = (766, 24);
 
+/// Width and height of what is drawn of the groups, pixels, about.
+const GROUPS: [f64; 2] = [680.0, 460.0];
 /// Width of a box, of a group's 1, when there is one kind.
 const WIDTH: f64 = 0.56;
 /// Steps of this share of a width scatter values evenly without a random number.
@@ -50,13 +52,15 @@ impl Chart for Boxes {
         let (low, high) = all.fold((0.0_f64, 1.0_f64), |(low, high), value| (low.min(value), high.max(value)));
         let count = self.groups.len().max(1) as f64;
         let area = &titled(area, &self.title)?;
+        let names = group_names(area, self.groups.iter().map(|group| &group.label[..]), GROUPS)?;
+        let room = (high - low) * names.height / (1.0 - names.height);
         let mut chart = ChartBuilder::on(area)
             .margin(MARGIN)
             .margin_top(MARGIN / 2)
             .x_label_area_size(64)
             .y_label_area_size(60)
             .margin_right(210)
-            .build_cartesian_2d(0.0..count, 1.04 * low..1.12 * high)?;
+            .build_cartesian_2d(0.0..count, 1.04 * low..high + room)?;
         let mesh = &mut chart.configure_mesh();
         mesh.disable_x_mesh().disable_x_axis().x_desc(self.across).y_desc(self.up).x_labels(0);
         mesh.y_label_formatter(&number).label_style((FONT, 16)).axis_desc_style((FONT, 18)).light_line_style(TRANSPARENT).draw()?;
@@ -81,12 +85,10 @@ impl Chart for Boxes {
             area.draw(&Rectangle::new([(x, y), (x + 14, y + 14)], tone.mix(0.6).filled()))?;
             area.draw(&Text::new(*kind, (x + 22, y), TextStyle::from((FONT, 16))))?;
         }
-        let centred = TextStyle::from((FONT, 17)).pos(plotters::style::text_anchor::Pos::new(
-            plotters::style::text_anchor::HPos::Center,
-            plotters::style::text_anchor::VPos::Top,
-        ));
         let labels = self.groups.iter().enumerate();
-        chart.draw_series(labels.map(|(at, group)| Text::new(group.label.clone(), (at as f64 + 0.5, 1.11 * high), centred.clone())))?;
+        let label =
+            |(at, group): (usize, &Group)| Text::new(group.label.clone(), (at as f64 + 0.5, high + 0.15 * room), names.style.clone());
+        chart.draw_series(labels.map(label))?;
         Ok(())
     }
 }

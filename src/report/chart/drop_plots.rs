@@ -1,6 +1,7 @@
 //! The plots of a drop: acceleration and displacement over time, energies, peaks over height.
 
 use plotters::chart::SeriesLabelPosition;
+use plotters::style::RGBColor;
 
 use super::bars::{Bars, Group};
 use super::lines::{Lines, Series};
@@ -21,17 +22,19 @@ pub fn plots(model: &Model, traces: &[Trace]) -> Result<Vec<(String, Vec<u8>)>, 
     Ok(files)
 }
 
-fn series(trace: &Trace, values: &[f64], scale: f64, colour: usize, label: Option<String>) -> Series {
+/// The curve of one drop of several; without a name for a pale one.
+fn series(trace: &Trace, values: &[f64], scale: f64, [at, count]: [usize; 2], name: Option<String>) -> Series {
     let points = trace.t_s.iter().zip(values).map(|(t_s, value)| (t_s * 1e3, value * scale)).collect();
-    Series { colour, width: if label.is_some() { 2 } else { 1 }, marked: false, points, label }
+    let (is_pale, label) = (name.is_none(), name.filter(|_| plot::is_named(at, count)));
+    Series { colour: plot::colour_among(at, count), is_pale, width: if is_pale { 1 } else { 2 }, marked: false, points, label }
 }
 
 /// Where each trace first leaves its model's range, on a curve of it.
-fn left(traces: &[Trace], values: fn(&Trace) -> &Vec<f64>, scale: f64) -> Vec<(usize, (f64, f64))> {
+fn left(traces: &[Trace], values: fn(&Trace) -> &Vec<f64>, scale: f64) -> Vec<(RGBColor, (f64, f64))> {
     let point = |(at, trace): (usize, &Trace)| {
         let t_ms = trace.warnings.iter().filter_map(ValidityWarning::t_ms).min_by(f64::total_cmp)?;
         let value = values(trace).get((1e-3 * t_ms / Trace::STEP_S).round() as usize)?;
-        Some((at, (t_ms, scale * value)))
+        Some((plot::colour_among(at, traces.len()), (t_ms, scale * value)))
     };
     traces.iter().enumerate().filter_map(point).collect()
 }
@@ -39,8 +42,8 @@ fn left(traces: &[Trace], values: fn(&Trace) -> &Vec<f64>, scale: f64) -> Vec<(u
 fn acceleration(model: &Model, traces: &[Trace]) -> Lines {
     let mut all = Vec::new();
     for (at, trace) in traces.iter().enumerate() {
-        all.push(series(trace, &trace.proper_g, 1.0, at, None));
-        all.push(series(trace, &trace.sensor_g, 1.0, at, Some(format!("{} m, sensor", trace.height_m))));
+        all.push(series(trace, &trace.proper_g, 1.0, [at, traces.len()], None));
+        all.push(series(trace, &trace.sensor_g, 1.0, [at, traces.len()], Some(format!("{} m, sensor", trace.height_m))));
     }
     let title = format!("{}: proper acceleration, pale as it is, strong through the sensor", model.name);
     Lines {
@@ -55,7 +58,7 @@ fn acceleration(model: &Model, traces: &[Trace]) -> Lines {
 }
 
 fn displacement(model: &Model, traces: &[Trace]) -> Lines {
-    let line = |(at, trace): (usize, &Trace)| series(trace, &trace.x_m, 1e3, at, Some(format!("{} m", trace.height_m)));
+    let line = |(at, trace): (usize, &Trace)| series(trace, &trace.x_m, 1e3, [at, traces.len()], Some(format!("{} m", trace.height_m)));
     let gap_mm = model.body.gap_m * 1e3;
     Lines {
         left: left(traces, |trace| &trace.x_m, 1e3),
@@ -92,7 +95,7 @@ fn peak(model: &Model, traces: &[Trace]) -> Lines {
     let line = |colour, label: &str, value: fn(&Trace) -> f64| {
         let mut points: Vec<(f64, f64)> = traces.iter().map(|trace| (trace.height_m, value(trace))).collect();
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
-        Series { label: Some(label.into()), colour, width: 2, marked: true, points }
+        Series { label: Some(label.into()), is_pale: false, colour: plot::colour(colour), width: 2, marked: true, points }
     };
     Lines {
         title: format!("{}: peak over drop height", model.name),

@@ -1,6 +1,7 @@
 //! Plots of the frame's own impact: acceleration, way and ground force over time.
 
 use plotters::chart::SeriesLabelPosition;
+use plotters::style::RGBColor;
 
 use super::lines::{Lines, Series};
 use super::plot::{self, PlotError};
@@ -29,18 +30,20 @@ fn gap(found: &Impacts) -> Vec<(String, f64)> {
     level.map(|underside| (format!("gap, {:.1} mm", underside.gap_mm), underside.gap_mm)).collect()
 }
 
-fn series(impact: &Impact, values: impl Iterator<Item = f64>, colour: usize, label: Option<String>) -> Series {
+/// The curve of one drop of several; without a name for a pale one.
+fn series(impact: &Impact, values: impl Iterator<Item = f64>, [at, count]: [usize; 2], name: Option<String>) -> Series {
     let points = impact.moments.iter().map(|m| m.t_ms).zip(values).collect();
-    Series { colour, width: if label.is_some() { 2 } else { 1 }, marked: false, points, label }
+    let (is_pale, label) = (name.is_none(), name.filter(|_| plot::is_named(at, count)));
+    Series { colour: plot::colour_among(at, count), is_pale, width: if is_pale { 1 } else { 2 }, marked: false, points, label }
 }
 
 /// Where the lowest body reaches the ground: its impact there is not in the model.
-fn left(found: &Impacts, values: impl Fn(&Impact) -> Vec<f64>) -> Vec<(usize, (f64, f64))> {
+fn left(found: &Impacts, values: impl Fn(&Impact) -> Vec<f64>) -> Vec<(RGBColor, (f64, f64))> {
     let Some(underside) = &found.underside else { return Vec::new() };
     let point = |(at, impact): (usize, &Impact)| {
         let reached = underside.reached(impact)?;
         let moment = impact.moments.iter().position(|moment| moment.t_ms > reached.at_ms)?;
-        Some((at, (impact.moments[moment].t_ms, *values(impact).get(moment)?)))
+        Some((plot::colour_among(at, found.impacts.len()), (impact.moments[moment].t_ms, *values(impact).get(moment)?)))
     };
     found.impacts.iter().enumerate().filter_map(point).collect()
 }
@@ -48,8 +51,13 @@ fn left(found: &Impacts, values: impl Fn(&Impact) -> Vec<f64>) -> Vec<(usize, (f
 fn acceleration(found: &Impacts) -> Lines {
     let mut all = Vec::new();
     for (at, impact) in found.impacts.iter().enumerate() {
-        all.push(series(impact, impact.moments.iter().map(|m| m.proper_g), at, None));
-        all.push(series(impact, impact.through(BANDWIDTH_HZ).into_iter(), at, Some(format!("{} m, sensor", impact.height_m))));
+        all.push(series(impact, impact.moments.iter().map(|m| m.proper_g), [at, found.impacts.len()], None));
+        all.push(series(
+            impact,
+            impact.through(BANDWIDTH_HZ).into_iter(),
+            [at, found.impacts.len()],
+            Some(format!("{} m, sensor", impact.height_m)),
+        ));
     }
     Lines {
         left: left(found, |impact| impact.through(BANDWIDTH_HZ)),
@@ -63,8 +71,9 @@ fn acceleration(found: &Impacts) -> Lines {
 }
 
 fn of(found: &Impacts, what: &str, up: &'static str, value: fn(&Moment) -> f64, levels: Vec<(String, f64)>) -> Lines {
-    let line =
-        |(at, impact): (usize, &Impact)| series(impact, impact.moments.iter().map(value), at, Some(format!("{} m", impact.height_m)));
+    let line = |(at, impact): (usize, &Impact)| {
+        series(impact, impact.moments.iter().map(value), [at, found.impacts.len()], Some(format!("{} m", impact.height_m)))
+    };
     Lines {
         left: left(found, |impact| impact.moments.iter().map(value).collect()),
         title: format!("{}: {what}", found.frame),

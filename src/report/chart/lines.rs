@@ -2,14 +2,16 @@
 
 use plotters::prelude::*;
 
-use super::plot::{Area, Chart, Drawn, Words, axes, colour, legend, titled};
+use super::plot::{Area, Chart, Drawn, Words, axes, legend, titled};
 
 /// A line.
 pub(in crate::report) struct Series {
-    /// Its name in the legend; none for a line that only accompanies another.
+    /// Its name in the legend, where it is named there.
     pub label: Option<String>,
-    /// Number of its colour.
-    pub colour: usize,
+    /// Whether it only accompanies another.
+    pub is_pale: bool,
+    /// Its colour.
+    pub colour: RGBColor,
     /// Width, pixels.
     pub width: u32,
     /// Whether its points are marked.
@@ -30,8 +32,8 @@ pub(in crate::report) struct Lines {
     pub series: Vec<Series>,
     /// Level lines, with what they mean; one without words is not in the legend.
     pub levels: Vec<(String, f64)>,
-    /// Where a line leaves the range in which its model is valid: the number of its colour, and the point.
-    pub left: Vec<(usize, (f64, f64))>,
+    /// Where a line leaves the range in which its model is valid: its colour, and the point.
+    pub left: Vec<(RGBColor, (f64, f64))>,
     /// Where no line is: the legend goes there.
     pub legend: SeriesLabelPosition,
 }
@@ -58,8 +60,8 @@ impl Chart for Lines {
             }
         }
         for series in &self.series {
-            let colour = colour(series.colour);
-            let style = ShapeStyle::from(colour.mix(if series.label.is_some() { 1.0 } else { 0.45 })).stroke_width(series.width);
+            let colour = series.colour;
+            let style = ShapeStyle::from(colour.mix(if series.is_pale { 0.45 } else { 1.0 })).stroke_width(series.width);
             let line = chart.draw_series(LineSeries::new(series.points.iter().copied(), style))?;
             match &series.label {
                 Some(label) if series.marked => {
@@ -77,7 +79,7 @@ impl Chart for Lines {
         }
         if !self.left.is_empty() {
             let ring = |at: (f64, f64), tone: RGBColor| EmptyElement::at(at) + Circle::new((0, 0), 9, tone.stroke_width(3));
-            let rings = self.left.iter().map(|(number, at)| ring(*at, colour(*number)));
+            let rings = self.left.iter().map(|(colour, at)| ring(*at, *colour));
             let black = ShapeStyle::from(BLACK).stroke_width(2);
             chart
                 .draw_series(rings)?

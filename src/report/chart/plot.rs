@@ -96,6 +96,54 @@ pub(in crate::report) fn colour(number: usize) -> RGBColor {
     RGBColor(red, green, blue)
 }
 
+/// Curves of one kind that have colours of their own, and that a legend names.
+const NAMED: usize = 7;
+
+/// The colour of one of several curves of a kind: one of its own while there are enough, or else from blue over green to red in their order.
+pub(in crate::report) fn colour_among(at: usize, count: usize) -> RGBColor {
+    if count <= NAMED {
+        return colour(at);
+    }
+    let way = 2.0 * at as f64 / (count - 1) as f64;
+    let [from, to] = if way < 1.0 { [colour(0), colour(2)] } else { [colour(2), colour(1)] };
+    let share = way - way.min(1.0).floor();
+    let mixed = |from: u8, to: u8| (f64::from(from) + share * (f64::from(to) - f64::from(from))).round() as u8;
+    RGBColor(mixed(from.0, to.0), mixed(from.1, to.1), mixed(from.2, to.2))
+}
+
+/// Whether the legend names one of several curves of a kind: all of a few, or else the first, the last, and some between.
+pub(in crate::report) fn is_named(at: usize, count: usize) -> bool {
+    count <= NAMED || (0..NAMED).any(|place| (2 * place * (count - 1) + NAMED - 1) / (2 * (NAMED - 1)) == at)
+}
+
+/// How the names of groups side by side are written.
+pub(in crate::report) struct GroupNames {
+    /// The style; its anchor is the middle of what stands above the groups.
+    pub style: TextStyle<'static>,
+    /// How much room they take upward, of the chart's range.
+    pub height: f64,
+}
+
+/// Names of groups that share a width and lie over a chart of some height, pixels: in a line, or upright where they would cover each other.
+pub(in crate::report) fn group_names<'a, B: DrawingBackend>(
+    area: &Area<B>,
+    names: impl Iterator<Item = &'a str>,
+    [width, height]: [f64; 2],
+) -> Result<GroupNames, DrawingAreaErrorKind<B::ErrorType>> {
+    let plain = TextStyle::from((FONT, 17));
+    let (mut widest, mut tallest, mut count) = (0, 0, 0);
+    for name in names {
+        let (across, up) = area.estimate_text_size(name, &plain)?;
+        (widest, tallest, count) = (widest.max(across), tallest.max(up), count + 1);
+    }
+    let crowded = f64::from(widest) > width / f64::from(count.max(1));
+    let style = match crowded {
+        true => plain.transform(FontTransform::Rotate270).pos(Pos::new(HPos::Left, VPos::Center)),
+        false => plain.pos(Pos::new(HPos::Center, VPos::Bottom)),
+    };
+    Ok(GroupNames { style, height: 1.4 * f64::from(if crowded { widest } else { tallest }) / height })
+}
+
 /// Something that can be drawn.
 pub(in crate::report) trait Chart {
     /// Draws it.
@@ -156,6 +204,16 @@ mod tests {
         assert!(lines.len() > 1, "{svg}");
         let [short, _] = files("t", &Titled("short")).expect("is drawn");
         assert_eq!(String::from_utf8(short.1).expect("text").matches("<text").count(), 1);
+    }
+
+    #[test]
+    fn analytic_curves_of_a_kind_have_colours_of_their_own_and_a_legend_that_is_short() {
+        for count in 1..60 {
+            let colours: Vec<RGBColor> = (0..count).map(|at| colour_among(at, count)).collect();
+            assert!((1..count).all(|at| !colours[..at].contains(&colours[at])), "{count}: {colours:?}");
+            let named: Vec<usize> = (0..count).filter(|at| is_named(*at, count)).collect();
+            assert_eq!((named.len(), named[0], named[named.len() - 1]), (count.min(7), 0, count - 1));
+        }
     }
 
     #[test]

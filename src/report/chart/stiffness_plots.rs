@@ -23,8 +23,14 @@ fn stands(found: &Stiffness) -> String {
 fn curve(found: &Stiffness) -> Lines {
     let points = |factor: f64| found.curve.points.iter().map(|p| (p.displacement_mm, p.force_n * factor)).collect::<Vec<_>>();
     let [low, high] = found.band();
-    let line =
-        |label: Option<&str>, colour, width, marked, points| Series { label: label.map(String::from), colour, width, marked, points };
+    let line = |label: Option<&str>, colour, width, marked, points| Series {
+        label: label.map(String::from),
+        is_pale: label.is_none(),
+        colour: plot::colour(colour),
+        width,
+        marked,
+        points,
+    };
     let mut series = vec![
         line(None, 0, 1, false, points(low)),
         line(None, 0, 1, false, points(high)),

@@ -7,7 +7,7 @@ use crate::frame::assembly::Design;
 use crate::impact::diagnose::{CovariateEffect, Diagnosis, Gap, Point, Verdict, joined};
 use crate::impact::request::{Compared, SeparatingExperiment};
 use crate::report::chart::lines::{Lines, Series};
-use crate::report::chart::plot::PlotError;
+use crate::report::chart::plot::{self, PlotError};
 use crate::report::page::document::Block;
 
 /// Title of the page.
@@ -182,7 +182,8 @@ fn wave_chart(diagnosis: &Diagnosis, height_m: f64) -> Lines {
     };
     let line = |label: &str, colour: usize, width: u32, marked: bool, points: Vec<(f64, f64)>| Series {
         label: Some(label.into()),
-        colour,
+        is_pale: false,
+        colour: plot::colour(colour),
         width,
         marked,
         points,
@@ -204,9 +205,10 @@ fn wave_chart(diagnosis: &Diagnosis, height_m: f64) -> Lines {
 
 /// What a model leaves of the mean waves, in their standard errors.
 fn residual_chart(when: &str, points: &[Point], heights: &[f64]) -> Lines {
-    let series = |(colour, height_m): (usize, &f64)| Series {
-        label: Some(format!("{height_m} m")),
-        colour,
+    let series = |(at, height_m): (usize, &f64)| Series {
+        label: plot::is_named(at, heights.len()).then(|| format!("{height_m} m")),
+        is_pale: false,
+        colour: plot::colour_among(at, heights.len()),
         width: 2,
         marked: true,
         points: points

@@ -8,7 +8,7 @@ use crate::impact::fit::BEFORE;
 use crate::impact::landing::{HeightSpread, LandingAssessment, ShownDrop};
 use crate::report::chart::bands::{BandLine, Bands};
 use crate::report::chart::lines::{Lines, Series};
-use crate::report::chart::plot::{Chart, PlotError, files};
+use crate::report::chart::plot::{self, Chart, PlotError, files};
 
 const ACROSS: &str = "time from the sample before the trigger, ms";
 const UP: &str = "acceleration, g";
@@ -65,7 +65,8 @@ fn timed(window: &[f64], step_ms: f64) -> Vec<(f64, f64)> {
 }
 
 fn line(label: &str, colour: usize, marked: bool, points: &[(f64, f64)]) -> Series {
-    Series { label: Some(label.into()), colour, width: if marked { 1 } else { 2 }, marked, points: points.to_vec() }
+    let (label, colour) = (Some(label.into()), plot::colour(colour));
+    Series { label, is_pale: false, colour, width: if marked { 1 } else { 2 }, marked, points: points.to_vec() }
 }
 
 fn bands(spread: &HeightSpread, colour: usize, step_ms: f64) -> Bands {
@@ -87,9 +88,11 @@ fn bands(spread: &HeightSpread, colour: usize, step_ms: f64) -> Bands {
 
 /// Time to the opposite foot over the sum of the times to those beside.
 fn touches(assessment: &LandingAssessment) -> Lines {
-    let points = |(colour, (height_m, times)): (usize, &(f64, Vec<[f64; 3]>))| Series {
-        label: Some(format!("{height_m} m")),
-        colour,
+    let count = assessment.touches.len();
+    let points = |(at, (height_m, times)): (usize, &(f64, Vec<[f64; 3]>))| Series {
+        label: plot::is_named(at, count).then(|| format!("{height_m} m")),
+        is_pale: false,
+        colour: plot::colour_among(at, count),
         width: 0,
         marked: true,
         points: times.iter().map(|[opposite, near, far]| (1e3 * (near + far), 1e3 * opposite)).collect(),
@@ -111,14 +114,16 @@ fn touches(assessment: &LandingAssessment) -> Lines {
 
 /// Share of the drops over the time to the opposite foot.
 fn times(spreads: &[HeightSpread]) -> Lines {
-    let both = |(colour, spread): (usize, &HeightSpread)| {
+    let heights = spreads.len();
+    let both = |(height, spread): (usize, &HeightSpread)| {
         let count = spread.opposite_s.len() as f64;
         let read = spread.opposite_s.iter().enumerate().map(|(at, delay_s)| (1e3 * delay_s, (at as f64 + 0.5) / count)).collect();
-        let label = |what: &str| Some(format!("{} m, {what}", spread.height_m));
+        let label = |what: &str| plot::is_named(height, heights).then(|| format!("{} m, {what}", spread.height_m));
+        let colour = plot::colour_among(height, heights);
         let of_slopes = spread.opposite_of_slopes.iter().map(|(delay_s, share)| (1e3 * delay_s, *share)).collect();
         [
-            Series { label: label("as read"), colour, width: 0, marked: true, points: read },
-            Series { label: label("random slopes"), colour, width: 2, marked: false, points: of_slopes },
+            Series { label: label("as read"), is_pale: false, colour, width: 0, marked: true, points: read },
+            Series { label: label("random slopes"), is_pale: false, colour, width: 2, marked: false, points: of_slopes },
         ]
     };
     Lines {

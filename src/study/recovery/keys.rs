@@ -5,41 +5,15 @@ use super::measure::{RECOVERY_MEASURES, RecoveryMeasure};
 use super::setting::{Case, Recovery};
 use super::strength::recorded;
 use super::truth::{LEVELS, Truth, outside, pair};
-use crate::impact::effects::{Model, Spec};
+use crate::impact::effects::{CATALOGUE, Model, Spec};
 use crate::impact::synthetic::ScatterLaw;
 use crate::params::files::Files;
 use crate::params::refusal::Refusal;
 use crate::params::{ImpactFile, LoadError};
-use crate::study::plan_keys::{each_once, impossible, named, only_known, whole, wholes};
+use crate::study::plan_keys::{KINDS, PlanKey, Takes, each_once, impossible, named, only_known, plan_key, whole, wholes};
 
-/// Keys beside the table `seeds`.
-const KEYS: [&str; 11] = [
-    "kind",
-    "levels",
-    "laws",
-    "strengths",
-    "pair_strength",
-    "effects",
-    "rates_rad_s",
-    "most_effects",
-    "ceiling_gain",
-    "measures",
-    "description",
-];
 /// The model that is diagnosed.
 const BASE: &str = "paper";
-/// First seed, and the seed after the last, of drops with nothing, one effect, two, something outside of the catalogue, landings that slope,
-/// landings that slope on legs with dry friction, the same on feet with mass of their own, and level ones that could be taken for them.
-const SEEDS: [&str; 8] = [
-    "seeds.nothing",
-    "seeds.one",
-    "seeds.two",
-    "seeds.outside",
-    "seeds.sloped",
-    "seeds.sloped_with_friction",
-    "seeds.sloped_on_heavy_feet",
-    "seeds.level",
-];
 /// Bounds of a seed: numbers that are made from it stay whole.
 const SEED: [f64; 2] = [0.0, 1e9];
 /// Bounds of a strength: what a noncentrality may be called.
@@ -53,15 +27,48 @@ const MOST_EFFECTS: usize = 3;
 /// Standard deviations of the turning rate at release when a plan does not say, and their bounds, rad/s.
 const RATES_RAD_S: [f64; 3] = [0.15, 0.25, 0.4];
 const RATE_RAD_S: [f64; 2] = [0.001, 3.0];
+/// Bounds of the ideal observer's gain.
+const CEILING_GAIN: [f64; 2] = [1.0, 100.0];
 /// Most rows.
 const MOST_ROWS: usize = 1_000_000;
+
+/// Keys of the seeds, in the order in which rows are made.
+const SEEDS: [PlanKey; 8] = [
+    plan_key("seeds.nothing", Takes::Seeds(SEED), "Drops without a hidden effect."),
+    plan_key("seeds.one", Takes::Seeds(SEED), "Drops with one effect."),
+    plan_key("seeds.two", Takes::Seeds(SEED), "Drops with two effects."),
+    plan_key("seeds.outside", Takes::Seeds(SEED), "Drops with an effect outside the catalogue."),
+    plan_key("seeds.sloped", Takes::Seeds(SEED), "Landings that slope."),
+    plan_key("seeds.sloped_with_friction", Takes::Seeds(SEED), "Landings that slope on legs with dry friction."),
+    plan_key("seeds.sloped_on_heavy_feet", Takes::Seeds(SEED), "The same, on feet with mass of their own."),
+    plan_key("seeds.level", Takes::Seeds(SEED), "Level landings that could be taken for those that slope."),
+];
+/// Keys beside those of the seeds.
+const OTHERS: [PlanKey; 11] = [
+    plan_key("kind", Takes::Word(&KINDS), "What the rows are."),
+    plan_key("levels", Takes::Wholes(LEVELS), "Levels of noise."),
+    plan_key("laws", Takes::Names(|| ScatterLaw::NAMES.map(String::from).to_vec()), "Laws of the scatter."),
+    plan_key("strengths", Takes::Numbers(STRENGTH, "1"), "Noncentralities of single effects at level 2."),
+    plan_key("pair_strength", Takes::Number(STRENGTH, "1"), "Noncentrality of each effect of a pair."),
+    plan_key("effects", Takes::Names(effect_names), "The effects that are hidden."),
+    plan_key("rates_rad_s", Takes::Numbers(RATE_RAD_S, "rad/s"), "Standard deviations of the turning rate at release."),
+    plan_key("most_effects", Takes::Whole([1.0, MOST_EFFECTS as f64]), "Most effects of a diagnosis."),
+    plan_key("ceiling_gain", Takes::Number(CEILING_GAIN, "1"), "Factor on the noncentralities of the ideal observer."),
+    plan_key("measures", Takes::Names(measure_names), "The columns."),
+    plan_key("description", Takes::Text, "One line about the plan."),
+];
+
+/// Keys of a plan of hidden effects.
+pub fn plan_keys() -> impl Iterator<Item = PlanKey> {
+    OTHERS.into_iter().chain(SEEDS)
+}
 
 /// Reads what a plan says of its rows.
 ///
 /// # Errors
 /// What it says that cannot be.
 pub(in crate::study) fn setting(file: &ImpactFile, files: &dyn Files) -> Result<Recovery, LoadError> {
-    let known: Vec<&str> = KEYS.into_iter().chain(SEEDS).collect();
+    let known: Vec<PlanKey> = plan_keys().collect();
     only_known(file, &known, &[])?;
     let base = Model::load_from(BASE, files)?;
     let effects = effects(file, &base)?;
@@ -73,7 +80,7 @@ pub(in crate::study) fn setting(file: &ImpactFile, files: &dyn Files) -> Result<
         effects,
         strengths,
         most_effects: whole(file, "most_effects", [1.0, MOST_EFFECTS as f64])?.unwrap_or(MOST_EFFECTS),
-        ceiling_gain: file.number("ceiling_gain", [1.0, 100.0], "1")?.unwrap_or(1.0),
+        ceiling_gain: file.number("ceiling_gain", CEILING_GAIN, "1")?.unwrap_or(1.0),
     };
     recovery.cases = cases(file, &recovery)?;
     Ok(recovery)
@@ -87,7 +94,7 @@ pub(in crate::study) fn columns(file: &ImpactFile) -> Result<Vec<&'static Recove
     let Some(names) = file.texts("measures")? else {
         return Ok(RECOVERY_MEASURES.iter().filter(|measure| measure.is_usual()).collect());
     };
-    let known: Vec<String> = RECOVERY_MEASURES.iter().map(|measure| measure.name.to_string()).collect();
+    let known = measure_names();
     let mut columns: Vec<&'static RecoveryMeasure> = Vec::new();
     for name in names {
         let found = RECOVERY_MEASURES.iter().find(|measure| measure.name == name);
@@ -97,6 +104,15 @@ pub(in crate::study) fn columns(file: &ImpactFile) -> Result<Vec<&'static Recove
         }
     }
     Ok(columns)
+}
+
+fn measure_names() -> Vec<String> {
+    RECOVERY_MEASURES.iter().map(|measure| measure.name.to_string()).collect()
+}
+
+/// The effects that may be hidden in drops of any model.
+fn effect_names() -> Vec<String> {
+    CATALOGUE.iter().filter(|spec| !spec.takes_frame_curve()).map(|spec| spec.id.to_string()).collect()
 }
 
 /// The effects that may be hidden alone or in pairs, in the order of the catalogue, in which a diagnosis names sets, too.
@@ -142,7 +158,7 @@ fn cases(file: &ImpactFile, recovery: &Recovery) -> Result<Vec<Case>, Refusal> {
     let rates =
         if file.entries.contains_key("rates_rad_s") { file.numbers("rates_rad_s", RATE_RAD_S, "rad/s")? } else { RATES_RAD_S.to_vec() };
     each_once(file, "rates_rad_s", &rates)?;
-    let [nothing, one, two, outsiders, sloped, rubbing, heavy, level_ones] = SEEDS.map(|key| seeds(file, key));
+    let [nothing, one, two, outsiders, sloped, rubbing, heavy, level_ones] = SEEDS.map(|known| seeds(file, known.key));
     let (nothing, one, two, outsiders) = (nothing?, one?, two?, outsiders?);
     let (sloped, rubbing, heavy, level_ones) = (sloped?, rubbing?, heavy?, level_ones?);
     let singles = || recovery.effects.iter().flat_map(|spec| recovery.strengths.iter().map(move |strength| (*spec, *strength)));
@@ -152,7 +168,7 @@ fn cases(file: &ImpactFile, recovery: &Recovery) -> Result<Vec<Case>, Refusal> {
         effects + (count(&sloped) + count(&rubbing) + count(&heavy)) * rates.len() + count(&level_ones) * LandingTruth::LEVEL.len();
     if a_level == 0 || a_level * levels.len() * laws.len() > MOST_ROWS {
         let message = format!("the plan has {} rows", a_level * levels.len() * laws.len());
-        let remedy = format!("state between one and {MOST_ROWS} by {}", SEEDS.join(", "));
+        let remedy = format!("state between one and {MOST_ROWS} by {}", SEEDS.map(|known| known.key).join(", "));
         return Err(file.refuse("seeds", impossible(message, remedy)));
     }
     let mut cases = Vec::new();

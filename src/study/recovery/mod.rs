@@ -19,6 +19,7 @@ mod worker;
 
 pub use accuracy::{Accuracy, Fact, Table, accuracy};
 pub use findings::Asks;
+pub use keys::plan_keys;
 pub(super) use keys::{columns, setting};
 pub use landing_truth::LandingTruth;
 pub use measure::{RECOVERY_MEASURES, RecoveryMeasure};
