@@ -16,13 +16,14 @@ import { Parameters } from "./panels/parameters.tsx";
 import { Source } from "./panels/source.tsx";
 import { Selection, Toolbar } from "./panels/toolbar.tsx";
 import { column, left, right, showLine } from "./state/focus.ts";
+import type { Dropped } from "./state/dropped.ts";
 import { dropped } from "./state/dropped.ts";
 import { complain, notice, quiet } from "./state/notice.ts";
 import { openFrame } from "./state/opening.ts";
 import { computing, findings, frame, refused } from "./state/studio.ts";
 import { LastGood } from "./ui/last_good.tsx";
 import { Tabs } from "./ui/tabs.tsx";
-import { join } from "./view/scene_state.ts";
+import { join, laying } from "./view/scene_state.ts";
 
 /** `results`: what the panel shows is computed of the frame. */
 const PANELS: { id: typeof right.value; words: string; of: ComponentType; results?: true }[] = [
@@ -48,15 +49,21 @@ function holdsFiles(event: DragEvent): boolean {
 function takeFiles(event: DragEvent): void {
   if (!holdsFiles(event)) return;
   event.preventDefault();
-  void dropped(event.dataTransfer).then((files) => {
-    const frames = files.filter(({ path }) => path.toLowerCase().endsWith(".toml"));
-    const drops = files.filter((file) => !frames.includes(file));
-    if (frames.length > 0) void openFrame(frames.map(({ file }) => file));
-    if (drops.length > 0) {
-      right.value = "diagnose";
-      void takeDrops(drops);
-    }
-  });
+  quiet();
+  dropped(event.dataTransfer)
+    .then(takeDropped)
+    .catch((error: unknown) =>
+      complain(`These files cannot be read: ${error instanceof Error ? error.message : String(error)}.`),
+    );
+}
+
+async function takeDropped(files: Dropped[]): Promise<void> {
+  const frames = files.filter(({ path }) => path.toLowerCase().endsWith(".toml"));
+  const drops = files.filter((file) => !frames.includes(file));
+  if (frames.length > 0) await openFrame(frames.map(({ file }) => file));
+  if (drops.length === 0) return;
+  right.value = "diagnose";
+  await takeDrops(drops);
 }
 
 export function App() {
@@ -128,11 +135,12 @@ function Picture() {
       .then(({ Viewer }) => join(new Viewer(on)))
       .catch((error: unknown) => {
         complain(
-          `This browser cannot draw in three dimensions (${error instanceof Error ? error.message : String(error)}); everything else works.`,
+          `This browser cannot draw in three dimensions (${error instanceof Error ? error.message : String(error)}). What is measured in the picture and what moves in it is missing; everything else works.`,
         );
       });
   }, []);
   const refusal = refused.value?.refusal;
+  const busy = computing.value || laying.value;
   return (
     <div class="picture">
       <canvas
@@ -143,8 +151,8 @@ function Picture() {
         aria-label={`The frame ${frame.value?.name ?? ""}; arrow keys turn it, plus and minus zoom`}
       />
       <Selection />
-      <p class={`busy ${computing.value ? "on" : ""}`} role="status" data-computing={computing.value}>
-        {computing.value ? (frame.value ? "Computing…" : "The first model is being made…") : ""}
+      <p class={`busy ${busy ? "on" : ""}`} role="status" data-computing={computing.value}>
+        {busy ? (frame.value ? "Computing…" : "The first model is being made…") : ""}
       </p>
       {refusal && <RefusalNote of={refusal} />}
     </div>

@@ -20,6 +20,10 @@ const stop = effect(() => {
 
 const root = document.getElementById("studio");
 if (root) {
-  const { show } = await page;
-  show(root);
+  await page.then(
+    ({ show }) => show(root),
+    (error: unknown) => {
+      root.textContent = `The page cannot be loaded: ${error instanceof Error ? error.message : String(error)}. Load it again.`;
+    },
+  );
 }

@@ -1,6 +1,8 @@
 // Keeps the page for when there is no network: every file of one build together, so that page and engine always fit.
 // VERSION and FILES, each file with the SHA-256 of its bytes, are filled in when the page is built.
-const NAME = `flexframe-studio-${"VERSION"}`;
+// Caches belong to the origin: another studio beside this one has its own.
+const OWN = `flexframe-studio ${self.registration.scope} `;
+const NAME = `${OWN}${"VERSION"}`;
 const FILES = { FILES: "" };
 
 /** A file of this build. The browser's own cache, and a host that is being filled, may have one of another. */
@@ -24,7 +26,7 @@ async function install() {
 self.addEventListener("install", (event) => event.waitUntil(install()));
 
 self.addEventListener("activate", (event) => {
-  const former = (name) => name.startsWith("flexframe-studio-") && name !== NAME;
+  const former = (name) => name.startsWith(OWN) && name !== NAME;
   const clean = async () => {
     for (const name of await caches.keys()) if (former(name)) await caches.delete(name);
     await self.clients.claim();

@@ -9,6 +9,8 @@ test.describe("an engine that fails", () => {
 
   /** The value at which the changed engine fails as a panic does: WebAssembly's `unreachable`. */
   const FATAL = "arm_rod_length_mm = 84.5";
+  /** The value at which the one that checks fails when all checks are asked for. */
+  const UNCHECKED = "arm_rod_length_mm = 84.25";
   const TRAP = `
     // (module (func (export "trap") unreachable))
     const bytes = [0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 3, 2, 1, 0, 7, 8, 1, 4, 116, 114, 97, 112, 0, 0, 10, 5, 1, 3, 0, 0, 11];
@@ -17,12 +19,18 @@ test.describe("an engine that fails", () => {
     WebAssembly.instantiate = async (module, imports) => {
       const { exports } = await instantiate(module, imports);
       let room = 0;
+      let frame = "";
       return { exports: {
         ...exports,
         request_room: (length) => (room = exports.request_room(length)),
         ask: (length) => {
           const asked = new TextDecoder().decode(new Uint8Array(exports.memory.buffer, room >>> 0, length + 400));
-          if (asked.includes('"do":"open"') || asked.includes('"do":"change"')) if (asked.includes(${JSON.stringify(FATAL)})) trap();
+          if (asked.includes('"do":"open"') || asked.includes('"do":"change"')) {
+            frame = asked;
+            if (asked.includes(${JSON.stringify(FATAL)})) trap();
+          }
+          const checksAll = self.name === "checker" && asked.includes('"do":"findings"');
+          if (checksAll && frame.includes(${JSON.stringify(UNCHECKED)})) trap();
           return exports.ask(length);
         },
       } };
@@ -40,6 +48,9 @@ test.describe("an engine that fails", () => {
     await expect(page.locator(".notice")).toContainText("The engine stopped and was started again");
     expect(await mass(page)).toBe(first);
     await expect(page.locator("canvas")).toHaveAttribute("data-drawn", /\d+/);
+    // What is shown is of another frame than the file, and no files are made of it.
+    await expect(page.locator(".refusal")).toContainText("the engine stopped at this frame");
+    await expect(page.locator(".last-good")).toBeVisible();
     await shot(page, "9-stopped");
     // Changes of one value within 0.9 s are one step of undo; these are two steps, however quick the engine is.
     await page.waitForTimeout(1000);
@@ -56,6 +67,25 @@ test.describe("an engine that fails", () => {
     await page.getByRole("button", { name: "Undo" }).click();
     await settled(page);
     expect(await mass(page)).toBe(first);
+    expect(faults).toEqual([]);
+  });
+
+  test("leaves quick checks where it fails in the others, and says so", async ({ page, faults }) => {
+    await page.route("**/assets/worker-*.js", async (route) => {
+      const response = await route.fetch();
+      await route.fulfill({ response, body: `${TRAP}\n${await response.text()}` });
+    });
+    await start(page);
+    await checked(page);
+    await setNumber(page, "rods.arm_rod_length_mm", "84.25");
+    await page.getByRole("tab", { name: "Checks" }).click();
+    await expect(page.locator(".checks .state")).toContainText("the others failed");
+    await expect(page.locator("[data-state]")).toHaveAttribute("data-state", "some");
+    await page.getByRole("button", { name: "Check again" }).click();
+    await expect(page.locator(".checks .state")).toContainText("the others failed");
+    await setNumber(page, "rods.arm_rod_length_mm", "90");
+    await checked(page);
+    await expect(page.getByRole("button", { name: "Check again" })).toHaveCount(0);
     expect(faults).toEqual([]);
   });
 

@@ -53,6 +53,34 @@ test("a preset is chosen, values change the frame, and each can be reset", async
   await expect(page.locator('[id="c-bought.camera"] option[value="none"]')).toHaveCount(1);
 });
 
+test("a value, a name and a file that is asked for while another value is computed lose nothing", async ({ page }) => {
+  await start(page);
+  const [arm, strut] = [
+    await openField(page, "rods.arm_rod_length_mm"),
+    await openField(page, "rods.strut_rod_length_mm"),
+  ];
+  const name = page.getByLabel("Name of the frame's file");
+  await page.getByRole("tab", { name: "Files" }).click();
+  for (const [field, value] of [
+    [arm, "80"],
+    [strut, "48"],
+    [name, "late"],
+  ] as const) {
+    await field.fill(value);
+    await field.press("Enter");
+  }
+  const waiting = page.waitForEvent("download");
+  await page.getByRole("button", { name: /^Frame file/ }).click();
+  const file = await waiting;
+  expect(file.suggestedFilename()).toBe("late.toml");
+  const text = readFileSync(await file.path(), "utf8");
+  expect(text).toContain("arm_rod_length_mm = 80");
+  expect(text).toContain("strut_rod_length_mm = 48");
+  await settled(page);
+  await expect(name).toHaveValue("late");
+  await expect(strut).toHaveValue("48");
+});
+
 test("presets chosen one right after the other are steps of their own; quick changes of a value are one", async ({
   page,
 }) => {

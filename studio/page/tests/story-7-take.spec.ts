@@ -215,6 +215,20 @@ test("a frame file of one's own is opened or dragged in, its differences are aga
   await expect(page.locator("[data-gauge=mass]")).toContainText("of 240 g");
 });
 
+test("a frame file of Windows, or with its table in a line, is read as any other", async ({ page }) => {
+  await start(page);
+  const stated = page.locator('[data-key="rods.arm_rod_length_mm"] input[type=text]');
+  await drag(page, ".app", [{ name: "dos.toml", text: 'base = "cognifly"\r\n[rods]\r\narm_rod_length_mm = 4000\r\n' }]);
+  await expect(page.locator(".refusal")).toContainText("4000");
+  await page.getByRole("tab", { name: "Values" }).click();
+  await expect(stated).toHaveValue("4000");
+  await expect(page.getByText("changed (1)")).toBeVisible();
+  await drag(page, ".app", [{ name: "line.toml", text: 'base = "cognifly"\nrods = { arm_rod_length_mm = 5000 }\n' }]);
+  await expect(page.locator(".refusal")).toContainText("5000");
+  await page.getByRole("tab", { name: "Values" }).click();
+  await expect(stated).toHaveValue("5000");
+});
+
 test("frame files that cannot be opened are refused in words, and nothing changes", async ({ page }) => {
   await start(page);
   const first = await mass(page);

@@ -8,7 +8,7 @@ use flexframe::params::amend::{Amendment, amended};
 use flexframe::params::files::Memory;
 use flexframe::params::frame_file::Value as Typed;
 use flexframe::params::{Frame, FrameFile, ImpactFile, preset};
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 
 use crate::answer::{Answer, Refused};
 use crate::drops::{self, Course};
@@ -42,7 +42,11 @@ impl Studio {
                 let used = request.attached.iter().map(|(_, bytes)| self.prepared.add(bytes).map_err(Refused::plain));
                 Ok(Answer::data(json!({ "results": used.collect::<Result<Vec<usize>, Refused>>()? })))
             }
-            Wanted::Edit { text, set } => Ok(Answer::data(json!({ "text": edited(text, set)? }))),
+            Wanted::Edit { text, set } => {
+                let text = edited(text, set)?;
+                let stated = stated(&text);
+                Ok(Answer::data(json!({ "text": text, "stated": stated })))
+            }
             Wanted::Read { frame } => {
                 let file = FrameFile::load_from(frame, &request.disk())?;
                 Ok(Answer::data(open_frame::read(&Frame::resolve(&file)?, &file)))
@@ -132,6 +136,17 @@ fn edited(text: &str, set: &BTreeMap<String, Option<Setting>>) -> Result<String,
     let values: Vec<(&String, Option<Typed>)> = set.iter().map(|(key, value)| (key, value.as_ref().map(typed))).collect();
     let amendments: Vec<Amendment> = values.iter().map(|(key, value)| Amendment { key, value: value.as_ref(), why: "" }).collect();
     amended(text, &amendments).map_err(Refused::plain)
+}
+
+/// The numbers and words that a frame file states, by key, whether a frame may have them or not.
+fn stated(text: &str) -> Map<String, Value> {
+    let entries = ImpactFile::parse("frame", text.trim_start_matches('\u{feff}')).map(|file| file.entries).unwrap_or_default();
+    let setting = |typed: Typed| match typed {
+        Typed::Number(number) if number.is_finite() => Some(json!(number)),
+        Typed::Text(text) => Some(json!(text)),
+        _ => None,
+    };
+    entries.into_iter().filter_map(|(key, entry)| Some((key, setting(entry.value)?))).collect()
 }
 
 /// What comes with the program.

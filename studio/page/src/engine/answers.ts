@@ -36,6 +36,9 @@ export type Read = {
   stated: string[];
 };
 
+/** A frame file with values set in it, and the numbers and words that it states then, good or not. */
+export type Edited = { text: string; stated: Record<string, number | string> };
+
 export type MassLine = {
   name: string;
   kind: string;

@@ -3,7 +3,9 @@ import { computed, signal } from "@preact/signals";
 import type { Finding } from "../engine/answers.ts";
 import {
   catalogue,
+  checkAgain,
   checking,
+  checksFailure,
   findings,
   findingsAreCurrent,
   findingsAreOfPicture,
@@ -54,9 +56,22 @@ export function Checks() {
             ? `Every checked limit${whose} holds.`
             : `${violated} limit${violated === 1 ? "" : "s"}${whose} ${violated === 1 ? "is" : "are"} violated.`}{" "}
         {all && !findingsAreOfPicture.value && "This is of the frame before the last change."}
-        {all && findingsAreOfPicture.value && !all.all && "Quick checks only; the others are running."}
+        {all &&
+          findingsAreOfPicture.value &&
+          !all.all &&
+          (checksFailure.value === null
+            ? "Quick checks only; the others are running."
+            : "Quick checks only; the others failed.")}
         {checking.value && ` ${checking.value.name} (${checking.value.done + 1} of ${checking.value.of})`}
       </p>
+      {checksFailure.value !== null && (
+        <p class="fault">
+          {checksFailure.value}{" "}
+          <button type="button" class="link" onClick={checkAgain}>
+            Check again
+          </button>
+        </p>
+      )}
       <Strength />
       <ul class={findingsAreCurrent.value ? "" : "old"}>
         {groups.value.map((group) => (
@@ -70,7 +85,8 @@ export function Checks() {
 /** What takes as long as all other checks, and is asked for. */
 function Strength() {
   const known = findings.value?.strength && findingsAreOfPicture.value;
-  const state = !withStrength.value ? "off" : strengthFailure.value ? "failed" : known ? "done" : "computing";
+  const failure = strengthFailure.value ?? checksFailure.value;
+  const state = !withStrength.value ? "off" : failure !== null ? "failed" : known ? "done" : "computing";
   return (
     <div class="strength" data-strength={state}>
       <label>
@@ -82,7 +98,14 @@ function Strength() {
         strength, too: a drop by the frame’s own mechanics
       </label>
       <span role="status">{state === "computing" && " – computing…"}</span>
-      {state === "failed" && <p class="fault">{strengthFailure.value}</p>}
+      {state === "failed" && strengthFailure.value !== null && (
+        <p class="fault">
+          {strengthFailure.value}{" "}
+          <button type="button" class="link" onClick={checkAgain}>
+            Check again
+          </button>
+        </p>
+      )}
     </div>
   );
 }
@@ -177,6 +200,12 @@ function Place({ finding }: { finding: Finding }) {
   );
 }
 
+/** A margin with two decimals, or as many as it takes to tell that a limit is violated. */
+function marginWords({ margin, verdict }: Finding): string {
+  const rounded = short(margin, 2);
+  return verdict === "violated" && Number(rounded) === 0 ? margin.toPrecision(1) : rounded;
+}
+
 function Margin({ finding }: { finding: Finding }) {
   if (standing(finding) === "warns") return <span class="margin" />;
   const of = Math.max(-1, Math.min(1, share(finding)));
@@ -194,7 +223,7 @@ function Margin({ finding }: { finding: Finding }) {
       </svg>
       <span class="figure">
         {finding.margin > 0 ? "+" : ""}
-        {short(finding.margin, 2)} {finding.unit}
+        {marginWords(finding)} {finding.unit}
       </span>
     </span>
   );

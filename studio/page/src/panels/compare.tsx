@@ -45,8 +45,9 @@ async function compare(against: Doc, of: Doc): Promise<void> {
       await viewer.value?.overlay(files[0].bytes);
       overlaid = identity(against);
     }
-    const now = await current.opened(of);
-    const { answer } = await checker.ask<Difference>({ do: "difference", before: handle, after: now.handle });
+    // Both as they are meant: a panel may have changed an open frame to another meanwhile.
+    const [then, now] = await Promise.all([other.opened(against), current.opened(of)]);
+    const { answer } = await checker.ask<Difference>({ do: "difference", before: then.handle, after: now.handle });
     difference.value = { of: answer, before: identity(against), after: identity(of) };
     failure.value = null;
   } catch (error) {
@@ -63,6 +64,7 @@ export function Compare() {
   const found = difference.value?.of;
   const { before: against, after: shown } = difference.value ?? {};
   const old = !shownDoc.value || shown !== identity(shownDoc.value) || against !== identity(before.value);
+  const busy = working.value || (old && found !== undefined && failure.value === null);
   const changed = found?.measures.filter(({ trend, reported }) => trend !== "neither" || reported[0] !== reported[1]);
   const lists = found && [found.broken, found.mended, changed ?? [], found.parameters, found.masses, found.volumes];
   const unchanged = lists?.every(({ length }) => length === 0);
@@ -86,8 +88,8 @@ export function Compare() {
         it through the model (blue)
       </label>
       {failure.value && <p class="fault">{failure.value}</p>}
-      <p role="status" class="state" data-state={working.value || old ? "working" : "done"}>
-        {working.value || (old && found) ? "Comparing…" : ""}
+      <p role="status" class="state" data-state={busy || old ? "working" : "done"}>
+        {busy ? "Comparing…" : ""}
       </p>
       {found && (
         <div class={old ? "old" : ""}>

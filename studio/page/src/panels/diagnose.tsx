@@ -8,6 +8,7 @@ import { complain, quiet } from "../state/notice.ts";
 import { FrameSlot } from "../state/frame_slot.ts";
 import { shownDoc } from "../state/studio.ts";
 import { Work } from "../state/work.ts";
+import { LastGood } from "../ui/last_good.tsx";
 import { ModelSelect } from "../ui/model_select.tsx";
 import { Progress } from "../ui/progress.tsx";
 import { Records } from "./records.tsx";
@@ -38,6 +39,8 @@ const heldOut = signal("");
 const drops = signal<Attached>({});
 /** Whether they were made here, and are of no use beside others. */
 const synthetic = signal(false);
+/** Drops that the engine could not read, however they are written. */
+let unreadable: Attached | null = null;
 /** Whose mass and gap the model has. */
 const bodyOf = signal<"model" | "frame">("model");
 const judged = new FrameSlot(diagnoser);
@@ -51,16 +54,19 @@ const diagnosing = new Work<{ found: Diagnosed; files: EngineFile[]; of: string 
 function takeChosen(input: HTMLInputElement): void {
   const chosen = [...(input.files ?? [])].map((file) => ({ path: file.webkitRelativePath || file.name, file }));
   input.value = "";
+  quiet();
   void takeDrops(chosen);
+}
+
+/** The drops that others are put beside: those of several folders, one a height. What could not be read is replaced. */
+function kept(): Attached {
+  return synthetic.value || drops.value === unreadable ? {} : drops.value;
 }
 
 /** Takes measured drops: files, each with its path, whose folder says the height of a logger's file. */
 export async function takeDrops(given: { path: string; file: File }[]): Promise<void> {
-  quiet();
   const taken: Attached = {};
-  // Drops lie in several folders, one a height; what could not be read is replaced.
-  const kept = reading.failure.value === null && !synthetic.value ? drops.value : {};
-  let sum = Object.values(kept).reduce((bytes, { length }) => bytes + length, 0);
+  let sum = Object.values(kept()).reduce((bytes, { length }) => bytes + length, 0);
   // A folder holds other things, too.
   const files = given.filter(({ path }) => !path.includes("/") || RECORDS.test(path));
   for (const { file } of files) {
@@ -82,8 +88,10 @@ export async function takeDrops(given: { path: string; file: File }[]): Promise<
     complain(`This cannot be read: ${error instanceof Error ? error.message : String(error)}`);
     return;
   }
+  // Others may have been taken while these were read.
+  const all = { ...kept(), ...taken };
   synthetic.value = false;
-  await read({ ...kept, ...taken });
+  await read(all);
 }
 
 /** Forgets the drops that are open. */
@@ -106,7 +114,15 @@ async function read(taken: Attached): Promise<void> {
   diagnosing.clear();
   reading.result.value = null;
   drops.value = taken;
-  await reading.run(async () => (await diagnoser.ask<Measured>({ do: "measure", written: asWritten() }, taken)).answer);
+  await reading.run(async () => {
+    const how = asWritten();
+    try {
+      return (await diagnoser.ask<Measured>({ do: "measure", written: how }, taken)).answer;
+    } catch (error) {
+      unreadable = taken;
+      throw error;
+    }
+  });
 }
 
 /** What stands between commas. */
@@ -165,8 +181,8 @@ async function example(): Promise<void> {
   });
 }
 
-function diagnose(): Promise<void> {
-  return diagnosing.run(async (onStage) => {
+async function diagnose(): Promise<void> {
+  await diagnosing.run(async (onStage) => {
     const held = numbers(heldOut.value, "Heights held out, m", "1.5 or 0.5,1.5", isAboveZero);
     const frame = bodyOf.value === "frame" ? shownDoc.value : null;
     const request = {
@@ -244,6 +260,7 @@ export function Diagnose() {
               <option value="frame">the frame {shownDoc.value?.name ?? ""}</option>
             </select>
           </label>
+          {bodyOf.value === "frame" && <LastGood />}
           <button type="button" disabled={diagnosing.running.value} onClick={() => void diagnose()}>
             Diagnose
           </button>

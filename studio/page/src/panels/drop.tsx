@@ -42,7 +42,8 @@ let last = "";
 effect(() => {
   const [of, open] = [shownDoc.value, right.value === "drop"];
   const against = both.value ? before.value : null;
-  const asked = of && JSON.stringify([identity(of), against && identity(against), height.value, model.value]);
+  const how = { height_m: height.value, model: model.value };
+  const asked = of && JSON.stringify([identity(of), against && identity(against), how]);
   clearTimeout(timer);
   if (!open) hideMotion("drop");
   else if (of && asked !== last) {
@@ -50,8 +51,9 @@ effect(() => {
       last = asked ?? "";
       hideMotion("drop");
       void work
-        .run((onStage) => dropBoth(of, against, onStage))
-        .then(() => {
+        .run((onStage, latest) => dropBoth(of, against, how, onStage, latest))
+        .then((isLatest) => {
+          if (!isLatest) return;
           // The motion of what was dropped before, where somebody had it shown meanwhile.
           hideMotion("drop");
           // What failed is tried again when the panel is opened again.
@@ -62,21 +64,34 @@ effect(() => {
 });
 
 type OnStage = Parameters<Parameters<typeof work.run>[0]>[0];
+type How = { height_m: number; model: string };
 
-async function dropBoth(of: Doc, against: Doc | null, onStage: OnStage): Promise<Dropped[]> {
-  const first = await dropOne((await current.opened(of)).handle, of.name, true, onStage);
-  if (!against) return [first];
-  return [first, await dropOne((await other.opened(against)).handle, `${against.name} (before)`, false, onStage)];
+async function dropBoth(
+  of: Doc,
+  against: Doc | null,
+  how: How,
+  onStage: OnStage,
+  latest: () => boolean,
+): Promise<Dropped[]> {
+  const first = await dropOne((await current.opened(of)).handle, of.name, true, how, onStage);
+  // Nobody waits for the other one where something newer is asked for.
+  if (!against || !latest()) return [first];
+  return [first, await dropOne((await other.opened(against)).handle, `${against.name} (before)`, false, how, onStage)];
 }
 
-async function dropOne(handle: number, name: string, motion: boolean, onStage: OnStage): Promise<Dropped> {
-  const height_m = height.value;
-  if (model.value === OWN) {
+async function dropOne(
+  handle: number,
+  name: string,
+  motion: boolean,
+  { height_m, model }: How,
+  onStage: OnStage,
+): Promise<Dropped> {
+  if (model === OWN) {
     const { answer, files } = await checker.ask<ImpactAnswer>({ do: "impact", handle, height_m, motion }, {}, onStage);
     return ofImpact(name, answer, files[0]?.bytes ?? null);
   }
   const { answer } = await checker.ask<DropAnswer>(
-    { do: "drop", model: model.value, handle, heights_m: [height_m], trace: true },
+    { do: "drop", model, handle, heights_m: [height_m], trace: true },
     {},
     onStage,
   );

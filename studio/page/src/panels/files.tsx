@@ -7,7 +7,7 @@ import { hasComment, isUnchanged } from "../state/doc.ts";
 import { complain, quiet, tell } from "../state/notice.ts";
 import { openFrame } from "../state/opening.ts";
 import { changedKeys, doc, frame, pending, refused, shownDoc, valueOf } from "../state/studio.ts";
-import { download, made, save, saveText } from "../state/downloads.ts";
+import { asChanged, download, made, save, saveText } from "../state/downloads.ts";
 import { Work } from "../state/work.ts";
 import { Progress } from "../ui/progress.tsx";
 
@@ -55,7 +55,7 @@ export function Files() {
         </p>
       )}
       <div class="stack">
-        <button type="button" onClick={saveText}>
+        <button type="button" onClick={() => void saveText()}>
           Frame file ({doc.value.name}.toml)
         </button>
         {KINDS.map(({ which, words }) => (
@@ -122,7 +122,7 @@ export function Files() {
 }
 
 async function one(part: string): Promise<void> {
-  const of = doc.value;
+  const of = await asChanged();
   const file = (await made(["stl"], of)).find(({ path }) => path.endsWith(`/${part}.stl`));
   if (file) save(`${part}.stl`, file.bytes);
   else complain(`${of.name} has no part ${part}: it was changed meanwhile.`);
@@ -130,7 +130,7 @@ async function one(part: string): Promise<void> {
 
 async function share(): Promise<void> {
   quiet();
-  const of = doc.value;
+  const of = await asChanged();
   const { preset, name, text } = of;
   const set: Record<string, Setting> = {};
   for (const key of changedKeys.value) {

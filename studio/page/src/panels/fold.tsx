@@ -38,17 +38,20 @@ effect(() => {
 
 async function fold(of: Doc, onBed: boolean): Promise<void> {
   const known = work.result.value;
-  await work.run(() => (known?.of === identity(of) ? Promise.resolve(known) : folded(of)));
+  const isLatest = await work.run(() => (known?.of === identity(of) ? Promise.resolve(known) : folded(of)));
   // Another frame or another panel was asked for meanwhile.
-  if (shownDoc.peek() !== of || right.peek() !== "fold") return;
+  if (!isLatest || shownDoc.peek() !== of || right.peek() !== "fold") return;
   if (work.failure.value !== null) hideMotion("fold");
   else if (!onBed) await showFold();
 }
 
 async function folded(of: Doc): Promise<Folded> {
   const { handle } = await current.opened(of);
-  const steps = await checker.ask<Sequence>({ do: "fold-steps", handle });
-  const { files } = await checker.ask({ do: "files", handle, which: ["fold-motion"] });
+  // Asked for at once: between two answers the open frame may be changed to another.
+  const [steps, { files }] = await Promise.all([
+    checker.ask<Sequence>({ do: "fold-steps", handle }),
+    checker.ask({ do: "files", handle, which: ["fold-motion"] }),
+  ]);
   return { sequence: steps.answer, motion: files[0]!.bytes, of: identity(of) };
 }
 

@@ -33,10 +33,11 @@ export function Gauges() {
   const width = of.values["limits.envelope_width_mm"] ?? 0;
   const limits = [width, of.values["limits.envelope_depth_mm"] ?? width, of.values["limits.envelope_height_mm"] ?? 0];
   const full = Math.max(budget, total);
-  const sides = (size.value ?? []).map((side, at) => ({
-    share: side / (limits[at] || 1),
-    isOver: side > (limits[at] ?? 0) + MEASURING_MM,
-  }));
+  const sides = (size.value ?? []).map((side, at) => {
+    const isOver = side > (limits[at] ?? 0) + MEASURING_MM;
+    // What is over its limit shows it.
+    return { share: side / (limits[at] || 1), isOver, words: short(side, isOver ? 2 : 1) };
+  });
   return (
     <section class="gauges" aria-label="Mass and size">
       <figure class={total > budget ? "over" : ""} data-gauge="mass">
@@ -76,15 +77,15 @@ export function Gauges() {
       {size.value && (
         <figure class={sides.some(({ isOver }) => isOver) ? "over" : ""} data-gauge="size">
           <figcaption>
-            <b>{size.value.map((side) => short(side, 1)).join(" × ")} mm</b> of{" "}
-            {limits.map((side) => short(side, 0)).join(" × ")}
+            <b>{sides.map(({ words }) => words).join(" × ")} mm</b> of{" "}
+            {limits.map((side) => short(side, 2)).join(" × ")}
           </figcaption>
           <svg
             viewBox="0 0 200 12"
             preserveAspectRatio="none"
             role="img"
-            aria-label={size.value
-              .map((side, at) => `${SIDES[at]} ${short(side, 1)} mm of ${short(limits[at], 0)} mm`)
+            aria-label={sides
+              .map(({ words }, at) => `${SIDES[at]} ${words} mm of ${short(limits[at], 2)} mm`)
               .join(", ")}
           >
             {sides.map(({ share, isOver }, at) => (

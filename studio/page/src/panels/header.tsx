@@ -1,7 +1,7 @@
 // Which frame: the preset, the name of its file, undo and redo.
 import { effect, useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
-import { canRedo, canUndo, doc, presets, redo, take, undo } from "../state/studio.ts";
+import { canRedo, canUndo, doc, presets, redo, rename, take, undo } from "../state/studio.ts";
 import { complain } from "../state/notice.ts";
 import { ofPreset } from "../state/doc.ts";
 import type { Theme } from "../state/theme.ts";
@@ -35,10 +35,10 @@ export function Header() {
     document.addEventListener("keydown", key);
     return () => document.removeEventListener("keydown", key);
   }, []);
-  const rename = (field: HTMLInputElement) => {
+  const takeName = (field: HTMLInputElement) => {
     const name = field.value;
     draft.value = null;
-    if (plainName(name)) return take({ ...doc.value, name });
+    if (plainName(name)) return rename(name);
     // The name stays, and the field shows it.
     field.value = doc.value.name;
     complain(
@@ -70,7 +70,7 @@ export function Header() {
           data-typed={draft.value !== null && draft.value !== doc.value.name}
           value={draft.value ?? doc.value.name}
           onInput={(event) => (draft.value = event.currentTarget.value)}
-          onChange={(event) => rename(event.currentTarget)}
+          onChange={(event) => takeName(event.currentTarget)}
           onBlur={() => (draft.value = null)}
         />
       </label>

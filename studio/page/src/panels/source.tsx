@@ -3,7 +3,7 @@ import { useLayoutEffect, useRef, useState } from "preact/hooks";
 import { baseName } from "../state/doc.ts";
 import { showLine } from "../state/focus.ts";
 import { presetNamed } from "../state/opening.ts";
-import { doc, refused, replaced, take } from "../state/studio.ts";
+import { doc, latest, refused, replaced, take } from "../state/studio.ts";
 
 /** The text is read when nothing was typed for this long, ms. */
 const REST_MS = 350;
@@ -33,11 +33,11 @@ export function Source() {
     if (typed !== null && typed !== doc.value.text) read(typed);
   };
   const read = (next: string) => {
+    const { preset, name } = latest();
     const edited = {
-      ...doc.value,
       text: next,
-      preset: presetNamed(baseName(next)) ?? doc.value.preset,
-      name: doc.value.name === doc.value.preset ? `my-${doc.value.preset}` : doc.value.name,
+      preset: presetNamed(baseName(next)) ?? preset,
+      name: name === preset ? `my-${preset}` : name,
     };
     take(edited, { group: "text" });
   };

@@ -3,6 +3,7 @@ import { effect, signal } from "@preact/signals";
 import type { Vector3 } from "three";
 import { catalogue, frame } from "../state/studio.ts";
 import { showParameter } from "../state/focus.ts";
+import { complain } from "../state/notice.ts";
 import { owner } from "../state/player.ts";
 import { label, short, size } from "../ui/words.ts";
 import type { ColourBy } from "../view/colours.ts";
@@ -27,7 +28,7 @@ let latest: Vector3 | null = null;
 effect(() => {
   const at = picked.value;
   // A picked body in a new picture is picked at the same point: that is no click.
-  if (!measuring.peek() || !at || at.at === latest) return;
+  if (!measuring.peek() || !at || at.at === latest || explode.peek() > 0) return;
   latest = at.at;
   const former = points.peek();
   points.value = former.length >= 2 ? [at.at] : [...former, at.at];
@@ -36,12 +37,17 @@ effect(() => viewer.value?.showDistance(points.value));
 // Its points are those of a picture that is no more.
 effect(() => {
   void shownPictures.value;
+  void explode.value;
   points.value = [];
 });
 
 /** What draws comes with the picture, which the rest of the page does not wait for. */
 function showBed(shown: boolean, number = 0): void {
-  void import("../view/bed.ts").then((bed) => bed.showBed(shown, number));
+  import("../view/bed.ts")
+    .then((bed) => bed.showBed(shown, number))
+    .catch((error: unknown) =>
+      complain(`The bed cannot be shown: ${error instanceof Error ? error.message : String(error)}`),
+    );
 }
 
 /** Where a section of the picture can be, mm. */
@@ -60,6 +66,7 @@ const OF_FRAME = "Of the assembled frame only";
 
 export function Toolbar() {
   const [onBed, moving] = [stage.value === "bed", stage.value === "motion"];
+  const assembled = !onBed && !moving && explode.value === 0;
   const bounds = sectionBounds();
   return (
     <div class="toolbar" role="group" aria-label="How the frame is shown">
@@ -163,8 +170,8 @@ export function Toolbar() {
       <button
         type="button"
         aria-pressed={measuring}
-        disabled={onBed || moving}
-        title={onBed || moving ? OF_FRAME : undefined}
+        disabled={!assembled}
+        title={assembled ? undefined : OF_FRAME}
         onClick={() => {
           measuring.value = !measuring.value;
           points.value = [];
@@ -227,7 +234,7 @@ export function Selection() {
   const drivers = catalogue.value?.parameters.filter(({ drives }) => body && drives.includes(body.facts.part)) ?? [];
   return (
     <div class="selection" aria-live="polite">
-      {measuring.value && stage.value === "frame" && (
+      {measuring.value && stage.value === "frame" && explode.value === 0 && (
         <p class="distance">
           {a && b
             ? `Distance ${short(1000 * a.distanceTo(b), 2)} mm`

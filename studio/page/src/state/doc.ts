@@ -1,6 +1,5 @@
 // What is edited: a preset, the text of a frame file on it, and the file's name.
 import type { Attached } from "../engine/messages.ts";
-import type { Setting } from "./link.ts";
 
 export type Doc = { preset: string; name: string; text: string };
 
@@ -46,7 +45,7 @@ export function source(doc: Doc): { frame: string; files: Attached } {
 /** The key that each line of a frame file states, with its table, and what stands behind the `=`; `null` where a line states none. */
 function statements(text: string): ({ key: string; behind: string } | null)[] {
   let table = "";
-  return text.split("\n").map((line) => {
+  return text.split(/\r?\n/).map((line) => {
     const named = /^\s*\[([^\]]+)\]/.exec(line)?.[1];
     if (named !== undefined) table = `${named.trim()}.`;
     const [, key, behind] = /^\s*([\w."-]+)\s*=(.*)$/.exec(line) ?? [];
@@ -69,18 +68,4 @@ export function ownParts(text: string): { name: string; kind: string }[] {
   });
 }
 
-const NUMBER = /^([+-]?\d[\d_]*(?:\.[\d_]+)?(?:e[+-]?\d+)?)\s*(?:#.*)?$/i;
 const WORDS = /^(?:"([^"\\]*)"|'([^']*)')\s*(?:#.*)?$/;
-
-/** The numbers and words that a frame file states, by key, whether they are good or not. The engine says nothing of a file that it refuses. */
-export function statedSettings(text: string): Record<string, Setting> {
-  const stated: Record<string, Setting> = {};
-  for (const one of statements(text)) {
-    if (!one) continue;
-    const number = NUMBER.exec(one.behind)?.[1];
-    const [, double, single] = WORDS.exec(one.behind) ?? [];
-    const setting = number === undefined ? (double ?? single) : Number(number.replaceAll("_", ""));
-    if (setting !== undefined) stated[one.key] = setting;
-  }
-  return stated;
-}

@@ -2,7 +2,7 @@
 import { zipSync } from "fflate";
 import type { EngineFile } from "../engine/messages.ts";
 import type { Doc } from "./doc.ts";
-import { checker, current, doc } from "./studio.ts";
+import { checker, current, doc, whenTaken } from "./studio.ts";
 
 const TYPES: Record<string, string> = {
   stl: "model/stl",
@@ -28,15 +28,21 @@ export function save(name: string, bytes: Uint8Array<ArrayBuffer>): void {
   setTimeout(() => URL.revokeObjectURL(url), 60_000);
 }
 
-/** Files of the frame file as it stands, never of a frame before it. */
-export async function made(which: string[], of: Doc = doc.value): Promise<EngineFile[]> {
+/** The frame file with all that was changed: never a frame before it. */
+export async function asChanged(): Promise<Doc> {
+  await whenTaken();
+  return doc.value;
+}
+
+/** Files of a frame file. */
+export async function made(which: string[], of: Doc): Promise<EngineFile[]> {
   const { handle } = await current.opened(of);
   return (await checker.ask({ do: "files", handle, which })).files;
 }
 
 /** Makes files and saves them: one alone, several as a ZIP. */
 export async function download(which: string[], zipName = which.join("-")): Promise<void> {
-  const of = doc.value;
+  const of = await asChanged();
   const files = await made(which, of);
   const only = files.length === 1 ? files[0] : undefined;
   if (only) save(`${of.name}-${only.path.split("/").at(-1)}`, only.bytes);
@@ -49,6 +55,7 @@ export function zipped(files: EngineFile[]): Uint8Array<ArrayBuffer> {
   return zipSync(entries, { level: 6, mtime: new Date(1980, 0, 1) }) as Uint8Array<ArrayBuffer>;
 }
 
-export function saveText(): void {
-  save(`${doc.value.name}.toml`, new TextEncoder().encode(doc.value.text));
+export async function saveText(): Promise<void> {
+  const { name, text } = await asChanged();
+  save(`${name}.toml`, new TextEncoder().encode(text));
 }

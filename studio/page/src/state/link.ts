@@ -36,7 +36,9 @@ export function fromFragment(fragment: string, known: { presets: string[]; keys:
     const [key, value] = [item.slice(0, at), item.slice(at + 1)];
     if (at < 1 || value === "" || !known.keys.has(key))
       throw new Error(`“${item.slice(0, 80)}” is no value of a frame`);
-    set[key] = NUMBER.test(value) ? Number(value) : value;
+    const setting = NUMBER.test(value) ? Number(value) : value;
+    if (setting === Infinity || setting === -Infinity) throw new Error(`“${item.slice(0, 80)}” is no value of a frame`);
+    set[key] = setting;
   }
   return { preset, name, set };
 }

@@ -3,7 +3,7 @@ import { baseName } from "./doc.ts";
 import { left } from "./focus.ts";
 import { plainName } from "./link.ts";
 import { complain } from "./notice.ts";
-import { doc, presets, take } from "./studio.ts";
+import { latest, presets, take } from "./studio.ts";
 
 /** More than any frame file has, bytes. */
 const LARGEST_BYTES = 1 << 20;
@@ -27,7 +27,15 @@ export async function openFrame(files: File[]): Promise<void> {
     complain(`${file.name} has ${(file.size / 1e6).toFixed(1)} MB; a frame file may have 1 MB.`);
     return;
   }
-  const text = await file.text();
+  let text: string;
+  try {
+    text = new TextDecoder("utf-8", { fatal: true }).decode(await file.arrayBuffer());
+  } catch (error) {
+    const why =
+      error instanceof TypeError ? "it is not UTF-8 text" : error instanceof Error ? error.message : String(error);
+    complain(`${file.name} cannot be read: ${why}.`);
+    return;
+  }
   if (/^\s*\[(sensor|effects)[\].]/m.test(text)) {
     complain(
       `${file.name} is an impact model and no frame file. flexframe drop --model ${file.name} drops a frame by it; the page has ${presets.value?.models.join(" and ")}.`,
@@ -45,7 +53,7 @@ export async function openFrame(files: File[]): Promise<void> {
   }
   left.value = "text";
   take({
-    preset: preset ?? doc.value.preset,
+    preset: preset ?? latest().preset,
     name: plainName(file.name.replace(/\.toml$/i, "")) ?? "opened",
     text,
   });

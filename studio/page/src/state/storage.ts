@@ -1,6 +1,6 @@
 // The last state, kept in this browser: a tab has its own, a new tab begins with the last of all.
 import type { Doc } from "./doc.ts";
-import { identity } from "./doc.ts";
+import { identity, isUnchanged } from "./doc.ts";
 import { plainName } from "./link.ts";
 
 const KEY = "flexframe-studio";
@@ -28,16 +28,19 @@ function put(into: () => void): void {
   }
 }
 
-/** The state of before, if it is sound; its preset has to be one of those, where they are known. */
+/** The state of before, if it is sound; on one of those presets, where they are known. */
 export function restored(presets?: string[]): Doc | null {
   try {
     const kept: unknown = JSON.parse(sessionStorage.getItem(KEY) ?? localStorage.getItem(KEY) ?? "null");
     if (typeof kept !== "object" || kept === null) return null;
     const { preset, name, text } = kept as Record<string, unknown>;
     const sound = typeof preset === "string" && typeof name === "string" && typeof text === "string";
-    return sound && (presets?.includes(preset) ?? true) && plainName(name) && text.length < 1 << 20
-      ? { preset, name, text }
-      : null;
+    if (!sound || !plainName(name) || text.length >= 1 << 20) return null;
+    const found = { preset, name, text };
+    if (presets?.includes(preset) ?? true) return found;
+    // A preset of another version: what was stated on it stays, to be refused in words.
+    const [first] = presets ?? [];
+    return first === undefined || isUnchanged(found) ? null : { ...found, preset: first };
   } catch {
     return null;
   }

@@ -1,10 +1,10 @@
 // The state of the page: what is edited, and what the engines said of it. Newer input replaces older that still waits.
 import { batch, computed, effect, signal } from "@preact/signals";
 import { EngineClient, Refused, Stopped } from "../engine/client.ts";
-import type { Catalogue, Checked, Finding, Opened, Presets, Read } from "../engine/answers.ts";
+import type { Catalogue, Checked, Edited, Finding, Opened, Presets, Read } from "../engine/answers.ts";
 import type { Refusal } from "../engine/messages.ts";
 import type { Doc } from "./doc.ts";
-import { baseName, identity, isUnchanged, keyAtLine, ofPreset, source, statedSettings } from "./doc.ts";
+import { baseName, identity, isUnchanged, keyAtLine, ofPreset, source } from "./doc.ts";
 import { followed } from "./follows.ts";
 import { FrameSlot } from "./frame_slot.ts";
 import { History } from "./history.ts";
@@ -40,6 +40,8 @@ export const findings = signal<{ of: Finding[]; all: boolean; strength: boolean;
 export const withStrength = signal(false);
 /** Why it could not be computed. */
 export const strengthFailure = signal<string | null>(null);
+/** Why there are quick checks only. */
+export const checksFailure = signal<string | null>(null);
 export const checking = signal<{ done: number; of: number; name: string } | null>(null);
 
 const history = new History();
@@ -87,6 +89,10 @@ export const findingsAreCurrent = computed(() => findingsAreOfPicture.value && r
 type Wanted = {
   doc: Doc;
   set: Record<string, Setting | null>;
+  /** The file's new name, where it gets one. */
+  name?: string;
+  /** Whether it changes the frame file that is there then, and does not take its place. */
+  onTop: boolean;
   record: boolean;
   group: string | null;
   begun: number;
@@ -95,9 +101,11 @@ type Wanted = {
 };
 let wanted: Wanted | null = null;
 let running = false;
-/** Whether a change is under way that is no step of the history yet, and who waits for it to become one. */
-let recording = false;
-const waiting: (() => void)[] = [];
+/** A change that is not in the frame file yet, and in the history. */
+let underway: Wanted | null = null;
+/** Who waits until every change is in the history, or in the frame file. */
+const forHistory: (() => void)[] = [];
+const forFile: (() => void)[] = [];
 /** Counts what replaces the text from elsewhere than the text's own field. */
 export const replaced = signal(0);
 
@@ -112,19 +120,38 @@ function written(key: string, value: Setting | null, text: string): Setting | nu
 
 /** Sets values; `null` gives a key back to the preset, or to what it follows from. */
 export function set(values: Record<string, Setting | null>): void {
-  const { text } = wanted?.doc ?? doc.value;
+  const { text } = latest();
   const entries = Object.entries(values).map(([key, value]) => [key, written(key, value, text)] as const);
   quiet();
   pending.value = { ...pending.value, ...Object.fromEntries(entries) };
   replaced.value += 1;
   const group = entries.length === 1 ? (entries[0]?.[0] ?? null) : null;
-  want({
-    doc: wanted?.doc ?? doc.value,
-    set: { ...wanted?.set, ...Object.fromEntries(entries) },
-    record: true,
-    group,
-    begun: performance.now(),
-  });
+  const waits = upon();
+  want({ ...waits, set: { ...waits.set, ...Object.fromEntries(entries) }, group });
+}
+
+/** Gives the frame file another name. */
+export function rename(name: string): void {
+  quiet();
+  want({ ...upon(), name });
+}
+
+/** What a change of the frame file begins with: what waits already, or the file as it is. */
+function upon(): Wanted {
+  const begun = performance.now();
+  if (wanted) return { ...wanted, record: true, linked: false, group: null, begun };
+  return { doc: doc.value, set: {}, onTop: true, record: true, group: null, begun };
+}
+
+/** The frame file as it was left last: with its new text and name, without the values that are still to be set in it. */
+export function latest(): Doc {
+  const last = wanted ?? underway;
+  return last ? { ...last.doc, name: last.name ?? last.doc.name } : doc.value;
+}
+
+/** Goes on once the frame file has every change that was made before. */
+export async function whenTaken(): Promise<void> {
+  if (underway || wanted) await new Promise<void>((resolve) => forFile.push(resolve));
 }
 
 /** Takes another document: an edited text, another preset. Quick changes of one `group` are one step of undo. */
@@ -132,7 +159,7 @@ export function take(next: Doc, { record = true, group = null as string | null }
   quiet();
   pending.value = {};
   if (group !== "text") replaced.value += 1;
-  want({ doc: next, set: {}, record, group, begun: performance.now() });
+  want({ doc: next, set: {}, onTop: false, record, group, begun: performance.now() });
 }
 
 export function undo(): void {
@@ -145,16 +172,16 @@ export function redo(): void {
 
 /** A step of the history, once all that was changed before is in it. */
 async function step(move: () => Doc | undefined): Promise<void> {
-  if (recording || wanted?.record) await new Promise<void>((resolve) => waiting.push(resolve));
+  if (underway?.record || wanted?.record) await new Promise<void>((resolve) => forHistory.push(resolve));
   const to = move();
   if (to) take(to, { record: false });
 }
 
-/** Whoever waits for the history goes on when no change is outside of it. */
+/** A change is in the frame file: whoever waited for the last one goes on. */
 function settled(): void {
-  recording = false;
-  if (wanted?.record) return;
-  for (const go of waiting.splice(0)) go();
+  underway = null;
+  if (!wanted?.record) for (const go of forHistory.splice(0)) go();
+  if (!wanted) for (const go of forFile.splice(0)) go();
 }
 
 function want(next: Wanted): void {
@@ -168,12 +195,15 @@ async function run(): Promise<void> {
   while (wanted) {
     const now: Wanted = wanted;
     wanted = null;
-    recording = now.record;
+    underway = now;
     try {
       await show(now);
     } catch (error) {
       if (error instanceof Stopped) {
         complain(`The engine stopped and was started again: ${error.message}`);
+        if (shownDoc.value !== doc.value) stopped(error.message);
+        else checksFailure.value = error.message;
+        if (!shownDoc.value) await showPreset(doc.value.preset).catch(() => undefined);
       } else if (error instanceof Refused) {
         await refuse(error.refused, now.group);
         if (!shownDoc.value) await showPreset(doc.value.preset).catch((failure: unknown) => complain(String(failure)));
@@ -189,31 +219,41 @@ async function run(): Promise<void> {
   running = false;
 }
 
+/** A frame at which the engine stops is none: what is shown is of the last good one. */
+function stopped(message: string): void {
+  const refusal = {
+    message: `the engine stopped at this frame: ${message}`,
+    place: null,
+    remedy: "undo the last change",
+  };
+  refused.value = { refusal, key: null, editable: true };
+}
+
 /** Keeps why the frame file is refused. */
 async function refuse(refusal: Refusal, group: string | null): Promise<void> {
   const { name, text } = doc.value;
-  const editable = await isEditable(text);
+  const stated = await statedBy(text);
+  const editable = stated !== null;
   // The fields show what the file states. A value that cannot be written anywhere must not look as if it were set.
-  pending.value = editable ? { ...ofFile(text), ...wanted?.set } : {};
+  pending.value = stated ? { ...ofFile(stated), ...wanted?.set } : {};
   const { place } = refusal;
   // Why it cannot be written was found of the text before, with its line.
   if (!editable && !place && refused.value) return;
-  const stated = place && place.file === `${name}.toml` ? keyAtLine(text, place.line) : null;
-  refused.value = { refusal, key: stated ?? group, editable };
+  const atLine = place && place.file === `${name}.toml` ? keyAtLine(text, place.line) : null;
+  refused.value = { refusal, key: atLine ?? group, editable };
 }
 
 /** What a refused file states, and `null` for what only the frame of the picture states. */
-function ofFile(text: string): Record<string, Setting | null> {
-  const stated = statedSettings(text);
+function ofFile(stated: Record<string, Setting>): Record<string, Setting | null> {
   const gone = (frame.value?.stated ?? []).filter((key) => !(key in stated)).map((key) => [key, null] as const);
   return { ...Object.fromEntries(gone), ...stated };
 }
 
-/** Whether values can be set in a text. */
-async function isEditable(text: string): Promise<boolean> {
-  return shower.ask({ do: "edit", text, set: {} }).then(
-    () => true,
-    (error: unknown) => !(error instanceof Refused),
+/** The numbers and words that a text states, good or not; `null` where it is no TOML, in which values can be set. */
+async function statedBy(text: string): Promise<Record<string, Setting> | null> {
+  return shower.ask<Edited>({ do: "edit", text, set: {} }).then(
+    ({ answer }) => answer.stated,
+    (error: unknown) => (error instanceof Refused ? null : {}),
   );
 }
 
@@ -224,12 +264,17 @@ async function showPreset(preset: string): Promise<void> {
   if (!wanted) await draw(next, opened);
 }
 
+/** When a picture was shown last, and how long a newer wish may keep the next one away, ms. */
+let drawnAt = 0;
+const LONGEST_REST_MS = 200;
+
 /** Shows an opened frame; whether there is a picture of it. */
 async function draw(next: Doc, opened: Opened): Promise<boolean> {
   const { files } = await shower.ask({ do: "files", handle: opened.handle, which: ["glb"] });
   const bytes = files[0]?.bytes;
   if (!bytes) return false;
   batch(() => {
+    drawnAt = performance.now();
     frame.value = opened;
     shownDoc.value = next;
     picture.value = bytes;
@@ -244,23 +289,24 @@ async function draw(next: Doc, opened: Opened): Promise<boolean> {
 async function show(now: Wanted): Promise<void> {
   let next = now.doc;
   if (Object.keys(now.set).length > 0) {
-    const { answer } = await shower.ask<{ text: string }>({ do: "edit", text: next.text, set: now.set });
+    const { answer } = await shower.ask<Edited>({ do: "edit", text: next.text, set: now.set });
     const name = next.name === next.preset ? `my-${next.preset}` : next.name;
     next = { ...next, text: answer.text, name };
   }
+  if (now.name !== undefined) next = { ...next, name: now.name };
   if (base.value === null || next.preset !== doc.value.preset || base.value.name !== next.preset) {
     base.value = (await shower.ask<Read>({ do: "read", frame: next.preset })).answer;
   }
   doc.value = next;
   // What was set in the meantime belongs on top of this text.
-  if (wanted && Object.keys(wanted.set).length > 0) wanted.doc = next;
+  if (wanted?.onTop) wanted.doc = next;
   if (now.record) history.record(next, now.group);
   settled();
   if (now.linked) borrow(next);
   store(next);
   const opened = await shown.opened(next);
-  // A newer wish makes this picture useless.
-  if (wanted) return;
+  // A newer wish makes this picture useless, unless wishes come faster than pictures.
+  if (wanted && performance.now() - drawnAt < LONGEST_REST_MS) return;
   if (!(await draw(next, opened))) return;
   performance.measure("change", { start: now.begun, end: performance.now() });
   if (wanted) return;
@@ -279,8 +325,18 @@ effect(() => {
   const of = shownDoc.value;
   void withStrength.value;
   clearTimeout(resting);
+  // What failed was another frame, or is asked for once more.
+  checksFailure.value = null;
+  strengthFailure.value = null;
   if (of) resting = setTimeout(() => void checkAll(of), 500);
 });
+
+/** Checks again what could not be checked. */
+export function checkAgain(): void {
+  checksFailure.value = null;
+  strengthFailure.value = null;
+  if (shownDoc.value) void checkAll(shownDoc.value);
+}
 
 let checkRuns = false;
 async function checkAll(of: Doc): Promise<void> {
@@ -300,6 +356,8 @@ async function checkAll(of: Doc): Promise<void> {
   } catch (error) {
     if (error instanceof Stopped) complain(`The second engine stopped and was started again: ${error.message}`);
     else if (!(error instanceof Refused)) throw error;
+    const found = findings.peek();
+    if (shownDoc.peek() === of && !(found?.all && found.identity === identity(of))) checksFailure.value = error.message;
   } finally {
     checking.value = null;
     checkRuns = false;
@@ -312,8 +370,9 @@ async function checkStrength(of: Doc): Promise<void> {
   try {
     await found(of, true);
   } catch (error) {
-    if (!(error instanceof Refused)) throw error;
-    strengthFailure.value = error.message;
+    if (!(error instanceof Refused || error instanceof Stopped)) throw error;
+    if (shownDoc.peek() === of) strengthFailure.value = error.message;
+    if (error instanceof Stopped) throw error;
   }
 }
 
@@ -333,7 +392,7 @@ type Opening = { doc: Doc; values: Record<string, Setting | null> };
 function takeLinked({ doc: of, values }: Opening, begun: number): void {
   pending.value = values;
   replaced.value += 1;
-  want({ doc: of, set: values, record: true, group: null, begun, linked: true });
+  want({ doc: of, set: values, onTop: false, record: true, group: null, begun, linked: true });
 }
 
 /** Asks for the frame that the page most likely begins with, so that the engine makes it while the page is still drawn. */
@@ -388,7 +447,7 @@ export async function begin(): Promise<void> {
   // Undo gives back what the link took the place of.
   if (linked && own) history.record(own, null);
   if (linked) takeLinked(linked, asked);
-  else want({ doc: start, set: {}, record: true, group: null, begun: asked });
+  else want({ doc: start, set: {}, onTop: false, record: true, group: null, begun: asked });
 }
 
 export { identity, isUnchanged, source };

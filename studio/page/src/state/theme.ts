@@ -15,6 +15,11 @@ function chosen(): Theme {
 
 export const theme = signal<Theme>(chosen());
 
+const system = matchMedia("(prefers-color-scheme: dark)");
+/** Whether the system is dark. */
+export const isDark = signal(system.matches);
+system.addEventListener("change", () => (isDark.value = system.matches));
+
 effect(() => {
   if (theme.value === "system") delete document.documentElement.dataset["theme"];
   else document.documentElement.dataset["theme"] = theme.value;

@@ -10,17 +10,33 @@ export class Work<T> {
   readonly running = signal(false);
   readonly stage = signal<Stage | null>(null);
   #number = 0;
+  #before: Promise<unknown> = Promise.resolve();
 
-  /** Does it; what was begun before and ends later is dropped. */
-  async run(work: (onStage: (stage: Stage) => void) => Promise<T>): Promise<void> {
+  /**
+   * Does it, once what was begun before has ended, as an engine's request cannot be interrupted. What was begun before counts no more, and what
+   * waits where something newer is asked for is left out. Whether it was the last, of which the result is.
+   */
+  async run(work: (onStage: (stage: Stage) => void, latest: () => boolean) => Promise<T>): Promise<boolean> {
     const number = ++this.#number;
     const latest = () => number === this.#number;
     this.running.value = true;
     this.failure.value = null;
+    await this.#before;
+    if (!latest()) return false;
+    const own = this.#done(work, latest);
+    this.#before = own;
+    await own;
+    return latest();
+  }
+
+  async #done(
+    work: (onStage: (stage: Stage) => void, latest: () => boolean) => Promise<T>,
+    latest: () => boolean,
+  ): Promise<void> {
     try {
       const result = await work((stage) => {
         if (latest()) this.stage.value = stage;
-      });
+      }, latest);
       if (latest()) this.result.value = result;
     } catch (error) {
       if (!(error instanceof Refused || error instanceof Stopped)) console.error(error);

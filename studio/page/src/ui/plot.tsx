@@ -3,7 +3,7 @@ import { useEffect, useRef } from "preact/hooks";
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import { short } from "./words.ts";
-import { theme } from "../state/theme.ts";
+import { isDark, theme } from "../state/theme.ts";
 
 /** `colour`: which of the colours; without it, one after the other. */
 export type Curve = { name: string; points: [number, number][]; dashed?: boolean; colour?: number };
@@ -20,7 +20,7 @@ function joined(curves: Curve[]): uPlot.AlignedData {
 
 export function Plot({ title, x, y, curves, height = 190 }: Props) {
   const place = useRef<HTMLDivElement>(null);
-  const shade = theme.value;
+  const shade = `${theme.value} ${isDark.value}`;
   useEffect(() => {
     const box = place.current;
     if (!box) return;

@@ -12,6 +12,8 @@ export function Tabs<T extends string>({ name, panel, tabs, at }: Props<T>) {
     document.getElementById(`tab-${next.id}`)?.focus();
   };
   const press = (event: KeyboardEvent) => {
+    // These are the browser's.
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
     const now = tabs.findIndex(({ id }) => id === at.value);
     const place = { ArrowRight: now + 1, ArrowLeft: now - 1, Home: 0, End: -1 }[event.key];
     if (place === undefined) return;

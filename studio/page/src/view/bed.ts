@@ -18,9 +18,11 @@ import type { Beds } from "../engine/answers.ts";
 import { enter } from "../state/player.ts";
 import { complain } from "../state/notice.ts";
 import { checker, current, shownDoc } from "../state/studio.ts";
-import { plate, stage, viewer } from "./scene_state.ts";
+import { laying, plate, stage, viewer } from "./scene_state.ts";
 
 let at = 0;
+/** How often a bed was laid. */
+let lays = 0;
 
 /** Shows a plate, or the frame again. */
 export async function showBed(shown: boolean, number = 0): Promise<void> {
@@ -37,10 +39,15 @@ effect(() => {
 async function lay(): Promise<void> {
   const of = shownDoc.peek();
   if (!of) return;
+  const number = ++lays;
+  laying.value = true;
   try {
     const { handle } = await current.opened(of);
-    const beds = (await checker.ask<Beds>({ do: "beds", handle })).answer;
-    const { files } = await checker.ask({ do: "files", handle, which: ["stl"] });
+    // Asked for at once: between two answers the open frame may be changed to another.
+    const [{ answer: beds }, { files }] = await Promise.all([
+      checker.ask<Beds>({ do: "beds", handle }),
+      checker.ask({ do: "files", handle, which: ["stl"] }),
+    ]);
     // A newer frame is laid by a call of its own.
     if (stage.value !== "bed" || shownDoc.peek() !== of) return;
     const meshes = new Map(
@@ -55,9 +62,11 @@ async function lay(): Promise<void> {
     plate.value = { of: beds.plates.map(({ name }) => name), at: Math.min(at, beds.plates.length - 1) };
     viewer.value?.replace(drawn(beds, plate.value.at, meshes));
   } catch (error) {
-    if (!(error instanceof Refused || error instanceof Stopped)) throw error;
-    complain(error.message);
+    if (!(error instanceof Refused || error instanceof Stopped)) console.error(error);
+    complain(error instanceof Error ? error.message : String(error));
     if (stage.value === "bed") enter("frame");
+  } finally {
+    if (number === lays) laying.value = false;
   }
 }
 

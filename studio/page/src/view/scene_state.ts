@@ -22,6 +22,8 @@ export const lit = signal<Set<string>>(new Set());
 export const handled = signal<ReadonlySet<string>>(new Set());
 /** What the picture shows instead of the assembled frame. */
 export const stage = signal<"frame" | "bed" | "motion">("frame");
+/** Whether the bed is being laid. */
+export const laying = signal(false);
 /** The plates of the bed by name, and which is shown. */
 export const plate = signal<{ of: string[]; at: number } | null>(null);
 

@@ -451,6 +451,8 @@ export class Viewer {
       if (moved < 4) this.onPick(this.#under(event));
     });
     this.canvas.addEventListener("keydown", (event) => {
+      // These are the browser's.
+      if (event.ctrlKey || event.metaKey || event.altKey) return;
       const turns: Record<string, [number, number]> = {
         ArrowLeft: [-0.1, 0],
         ArrowRight: [0.1, 0],
