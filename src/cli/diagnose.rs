@@ -179,7 +179,7 @@ fn summary(found: &Diagnosis, compared: &Compared) -> String {
     let drops: Vec<String> = compared.drops.iter().map(|(height_m, count)| format!("{count} from {height_m} m")).collect();
     let axes = if compared.channel == ComparedAxes::All.word() { "axial and lateral" } else { compared.channel };
     text += &format!("{axes} acceleration of {}\n", drops.join(", "));
-    for sentence in compared.left_out().into_iter().chain(compared.free_fall()) {
+    for sentence in compared.left_out().into_iter().chain(compared.early_end()).chain(compared.free_fall()) {
         text += &format!("{sentence}\n");
     }
     for sentence in compared.observed().into_iter().chain(compared.landings()) {

@@ -10,7 +10,7 @@ use super::output;
 use super::progress::Progress;
 use super::session;
 use super::terminal;
-use crate::export::simulator::{self, LegSpring, SimulatorFormat, SimulatorModel};
+use crate::export::simulator::{self, LegSpring, Motor, SimulatorFormat, SimulatorModel};
 use crate::figures::decimals;
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::{self, MassTable};
@@ -67,6 +67,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         serde_json::to_value(&model).map_err(|error| Failure::Machine { what: "cannot make the JSON".into(), error: error.into() })?;
     drop(working);
     model.legs.doubt.iter().for_each(|doubt| terminal::tell(doubt));
+    pulling(&model).iter().for_each(|warning| terminal::tell(warning));
     let place = output::write_folder(&args.output, &format!("{}-simulators", design.frame.name), &files)?;
     if common.json {
         terminal::print_json(&json)?;
@@ -101,6 +102,18 @@ fn own_legs(design: &Design, masses: &MassTable, args: &Args) -> Result<LegSprin
 fn legs_of(model: &Model) -> LegSpring {
     let [stiffness_n_m, damping_n_s_m] = model.stiffness_and_damping();
     LegSpring { from: model.name.clone(), stiffness_n_m, damping_n_s_m, doubt: None }
+}
+
+/// What no motor can do in a hover: pull down, where the centre of mass is far from the middle.
+fn pulling(model: &SimulatorModel) -> Vec<String> {
+    let cannot = model.motors.iter().filter(|motor| motor.hover_thrust_n <= 0.0);
+    let words = |motor: &Motor| {
+        format!(
+            "warning: a hover takes {:.3} N of {}, and no propeller pulls down: the centre of mass is too far from the middle, and the frame cannot hover",
+            motor.hover_thrust_n, motor.name
+        )
+    };
+    cannot.map(words).collect()
 }
 
 /// Summary of the exported model.

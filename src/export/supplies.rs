@@ -48,12 +48,20 @@ pub fn supplies(design: &Design) -> Vec<Supply> {
     all.extend(fixings(design));
     all.extend(wires(design));
     let has = |role: &str| design.frame.bought.contains_key(role);
+    if has("computer") {
+        all.push(Supply::one("memory_card", "microSD card", "for the computer, where it has no memory of its own; not weighed"));
+        all.push(Supply::one(
+            "pin_header",
+            "pin header 2.54 mm, two rows",
+            "for the computer, where it is sold without pins, as a Raspberry Pi Zero W or Zero 2 W; or solder the leads of its cable on; not weighed",
+        ));
+    }
     let is_extra = design.frame.extras.contains_key("receiver");
     if !has("receiver") && !is_extra && (has("flight_controller") || has("motor_controller")) {
         all.push(Supply::one(
             "receiver",
             RECEIVER_SEARCH,
-            "of your transmitter's protocol; weighed with the wiring; not needed where the computer alone flies",
+            "of your transmitter's protocol, with its leads; weighed with the wiring; not needed where the computer alone flies",
         ));
     }
     all
@@ -184,11 +192,28 @@ fn wires(design: &Design) -> Vec<Supply> {
             role: (*role).into(),
             quantity: 1,
             length_mm: Some(with_slack(way)),
-            search: (*search).into(),
-            note: format!("{begins} to {to} {way:.0} mm, as drawn in frame.glb; {}", slack_words()),
+            search: shop_words(design, cable.role, search),
+            note: format!(
+                "{begins} to {to} {way:.0} mm, as drawn in frame.glb; {}{}",
+                slack_words(),
+                if *role == RIBBON { OF_RIBBON } else { "" }
+            ),
         });
     }
     all
+}
+
+/// The cable that is sold in certain lengths and cannot be cut.
+const RIBBON: &str = "camera_cable";
+const OF_RIBBON: &str = "; a ribbon is not cut: take the next longer one, with the sockets of both";
+
+/// The words for a cable. A ribbon has the sockets of what it joins, so that it goes by their names.
+fn shop_words(design: &Design, role: &str, words: &str) -> String {
+    let name = |role: &str| design.frame.bought.get(role).map(|item| item.name.replace('-', " "));
+    match (name("camera"), name("computer")) {
+        (Some(camera), Some(computer)) if role == RIBBON => format!("camera ribbon cable {camera} to {computer}"),
+        _ => words.into(),
+    }
 }
 
 fn slack_words() -> String {

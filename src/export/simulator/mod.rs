@@ -63,7 +63,10 @@ pub fn files(model: &SimulatorModel, formats: &[SimulatorFormat]) -> Result<Vec<
             }
         }
     }
-    files.extend(model.shapes.iter().map(|shape| (shape.file.clone(), meshes::obj(shape).into_bytes())));
+    // MJCF has its shapes in the file.
+    if formats.iter().any(|format| *format != SimulatorFormat::Mjcf) {
+        files.extend(model.shapes.iter().map(|shape| (shape.file.clone(), meshes::obj(shape).into_bytes())));
+    }
     Ok(files)
 }
 

@@ -2,11 +2,16 @@
 
 use std::collections::BTreeMap;
 
-use super::waves::{Unusable, Waves};
+use super::decimation::Decimation;
+use super::early_end::EarlyEnd;
+use super::waves::{AFTER_S, LEAST, Unusable, Waves, samples_from_trigger};
 use crate::impact::effects::{CATALOGUE, Channel};
 use crate::impact::measured::{
-    Drop, DropSet, Flag, FreeFallOffset, Hint, JudgedDrops, Record, is_sampled_every, symptoms_and_heights, usual_step_s,
+    Drop, DropSet, Flag, FreeFallOffset, Hint, JudgedDrops, Record, Spread, TRIGGER_G, is_sampled_every, symptoms_and_heights, usual_step_s,
 };
+
+/// Mean steps of the drops of a height differ by less, as a share of them: half of what their waves may.
+const ONE_STEP: f64 = 5e-3;
 
 /// Why there is nothing to fit.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -108,6 +113,11 @@ pub struct LeftOut {
 }
 
 impl LeftOut {
+    fn of(record: &Record, reason: String) -> Self {
+        let Record { trial, height_m, source, .. } = record;
+        Self { trial: trial.clone(), height_m: *height_m, source: source.clone(), reason }
+    }
+
     /// What is wrong with drops, each reason once without its figures, and how many have it.
     pub fn by_reason<'a>(drops: impl IntoIterator<Item = &'a Self>) -> BTreeMap<&'a str, usize> {
         let mut reasons = BTreeMap::new();
@@ -195,18 +205,18 @@ impl<'a> Chosen<'a> {
                 format!("{of_height} of {} drops from {} m are saturated, the others are the weakest", drops.len(), group.height_m)
             });
             let step_s = usual_step_s(drops.iter().map(|drop| drop.record));
+            let alike = drops.iter().map(|drop| drop.record).filter(|record| step_s.is_some_and(|step_s| is_sampled_every(record, step_s)));
+            let mean_step_s = Spread::of(alike.filter_map(Record::mean_step_s)).map(|spread| spread.median);
             for drop in drops {
                 let reason = drop.flags.iter().find(|flag| unwanted(flag)).map(ToString::to_string).or_else(|| weakest.clone());
-                let reason = reason.or_else(|| sampled_apart(drop.record, step_s?));
-                match reason {
-                    Some(reason) => {
-                        let Record { trial, height_m, source, .. } = drop.record;
-                        left_out.push(LeftOut { trial: trial.clone(), height_m: *height_m, source: source.clone(), reason });
-                    }
+                let reason = reason.or_else(|| sampled_apart(drop.record, step_s?)).or_else(|| lasting_apart(drop.record, mean_step_s?));
+                match reason.or_else(|| without_impact(channel, &drop)) {
+                    Some(reason) => left_out.push(LeftOut::of(drop.record, reason)),
                     None => kept.push(drop),
                 }
             }
         }
+        let kept = long_enough(channel, kept, &mut left_out);
         if kept.is_empty() {
             let count = left_out.len();
             return Err(if keep == Keep::Clean && 2 * saturated > count {
@@ -279,10 +289,7 @@ impl<'a> Chosen<'a> {
 
     /// What of a drop is compared, less the zeros of its session, g.
     pub fn series(&self, drop: &Drop) -> Vec<f64> {
-        match self.channel {
-            Channel::Axial => drop.axial_g(),
-            Channel::Magnitude => drop.sizes_g(),
-        }
+        compared(self.channel, drop)
     }
 
     /// The same as it was read, zeros and all, as the paper compares it, g.
@@ -291,6 +298,17 @@ impl<'a> Chosen<'a> {
             Channel::Axial => record.accel_g.clone(),
             Channel::Magnitude => (0..record.len()).map(|sample| record.size_g(sample)).collect(),
         }
+    }
+
+    /// Where the comparison ends, if a few records end before the others.
+    pub fn early_end(&self) -> Option<EarlyEnd> {
+        let recorded = |drop: &Drop| {
+            let trigger = self.series(drop).iter().position(|reading_g| reading_g.abs() > TRIGGER_G)?;
+            let Record { trial, height_m, t_s, .. } = drop.record;
+            Some((trial.clone(), *height_m, t_s.last()? - t_s[trigger]))
+        };
+        let step_s = Decimation::common_step_s(self.drops.iter().filter_map(|drop| drop.record.mean_step_s()));
+        EarlyEnd::of(&self.drops.iter().filter_map(recorded).collect::<Vec<_>>(), AFTER_S, step_s)
     }
 
     /// Whether all axes of some drop were measured.
@@ -302,6 +320,48 @@ impl<'a> Chosen<'a> {
     pub fn has_all_axes(&self) -> bool {
         self.drops.iter().all(|drop| drop.record.axes_g.is_some())
     }
+}
+
+/// What of a drop is compared, less the zeros of its session, g.
+fn compared(channel: Channel, drop: &Drop) -> Vec<f64> {
+    match channel {
+        Channel::Axial => drop.axial_g(),
+        Channel::Magnitude => drop.sizes_g(),
+    }
+}
+
+/// Says of a drop that what is compared of it has no impact, as where an axis is dead and the others are not.
+fn without_impact(channel: Channel, drop: &Drop) -> Option<String> {
+    let hits = compared(channel, drop).iter().any(|reading_g| reading_g.abs() > TRIGGER_G);
+    (!hits).then(|| format!("no impact in what is compared: nothing above {TRIGGER_G} g"))
+}
+
+/// Those that have as many samples from the trigger on as a comparison needs; the others are left out.
+fn long_enough<'a>(channel: Channel, drops: Vec<Drop<'a>>, left_out: &mut Vec<LeftOut>) -> Vec<Drop<'a>> {
+    let step_s = Decimation::common_step_s(drops.iter().filter_map(|drop| drop.record.mean_step_s()));
+    let samples = |drop: &Drop| {
+        let native_s = drop.record.mean_step_s().unwrap_or(step_s);
+        samples_from_trigger(&compared(channel, drop), &Decimation { native_s, kept_s: step_s }).unwrap_or(0)
+    };
+    let (long, short): (Vec<Drop>, Vec<Drop>) = drops.into_iter().partition(|drop| samples(drop) >= LEAST);
+    left_out.extend(short.iter().map(|drop| {
+        let found = samples(drop);
+        LeftOut::of(drop.record, format!("too short: {found} samples to compare from first touch on, {LEAST} are needed"))
+    }));
+    long
+}
+
+/// Says of a record that its samples are, on average, not as far apart as those of most drops of its height, s.
+fn lasting_apart(record: &Record, of_height_s: f64) -> Option<String> {
+    let own_s = record.mean_step_s()?;
+    let differs = (own_s / of_height_s - 1.0).abs() > ONE_STEP;
+    differs.then(|| {
+        format!(
+            "sampled every {:.4} ms on average, the drops of this height that are compared every {:.4} ms",
+            1e3 * own_s,
+            1e3 * of_height_s
+        )
+    })
 }
 
 /// Says of a record that its samples are not as far apart as those of most drops of its height, s.

@@ -12,6 +12,7 @@
 mod chosen;
 mod covariance_model;
 mod decimation;
+mod early_end;
 mod expected;
 mod fine_wave;
 mod fitting;
@@ -29,6 +30,7 @@ mod waves;
 pub use chosen::{Chosen, FitError, Keep, LeftOut};
 pub use covariance_model::{CovarianceModel, inverse_root, outer};
 pub use decimation::Decimation;
+pub use early_end::EarlyEnd;
 pub use expected::{Expected, Ready};
 pub use fine_wave::FINE_S;
 pub use fitting::{Fit, LEAST_RESAMPLED, Objective, ParameterEstimate, fit};

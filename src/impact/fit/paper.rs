@@ -43,7 +43,7 @@ impl PaperObjective {
     pub fn of(chosen: &Chosen) -> Result<Self, FitError> {
         let mut heights: Vec<HeightWindows> = Vec::new();
         for drop in &chosen.drops {
-            let (Some(impact), Some(step_s)) = (&drop.impact, drop.record.step_s()) else { continue };
+            let (Some(impact), Some(step_s)) = (&drop.impact, drop.record.mean_step_s()) else { continue };
             let series = chosen.series_as_read(drop.record);
             let from = impact.trigger;
             let peak = (from..series.len()).fold(from, |best, at| if series[at] > series[best] { at } else { best });

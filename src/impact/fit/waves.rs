@@ -95,9 +95,9 @@ pub enum Unusable {
 /// Samples kept before the trigger.
 pub const BEFORE: usize = 1;
 /// Time kept from the trigger on, s.
-const AFTER_S: f64 = 0.030;
+pub(super) const AFTER_S: f64 = 0.030;
 /// Least samples from the trigger on.
-const LEAST: usize = 10;
+pub(super) const LEAST: usize = 10;
 /// Least drops a height.
 const FEWEST: usize = 4;
 /// Samples before the trigger that are not yet used for the noise: the ground may touch there.
@@ -121,8 +121,8 @@ impl Waves {
         let mut samples = (AFTER_S / step_s).round() as usize + BEFORE;
         for drop in drops {
             let (trial, height_m) = (drop.trial.clone(), drop.height_m);
-            let trigger = trigger(&drop.accel_g).ok_or(Unusable::NoImpact { trial: trial.clone(), height_m })?;
-            let left = ((drop.accel_g.len() - trigger) as f64 / decimation(height_m).readings()) as usize;
+            let left = samples_from_trigger(&drop.accel_g, &decimation(height_m));
+            let left = left.ok_or(Unusable::NoImpact { trial: trial.clone(), height_m })?;
             if left < LEAST {
                 return Err(Unusable::TooShort { trial, height_m, samples: left });
             }
@@ -185,6 +185,11 @@ fn mean(windows: &[Vec<f64>], samples: usize) -> Vec<f64> {
 /// First sample beyond the trigger.
 fn trigger(accel_g: &[f64]) -> Option<usize> {
     accel_g.iter().position(|reading| reading.abs() > TRIGGER_G)
+}
+
+/// How many samples a drop has from its trigger on, as they are kept; `None` without a trigger.
+pub(super) fn samples_from_trigger(accel_g: &[f64], decimation: &Decimation) -> Option<usize> {
+    Some(((accel_g.len() - trigger(accel_g)?) as f64 / decimation.readings()) as usize)
 }
 
 /// The drop's window; readings before a record's begin are those of free fall.

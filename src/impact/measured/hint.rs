@@ -66,7 +66,7 @@ pub enum Hint {
     },
     /// Another axis.
     #[error(
-        "the axis carries no impulse ({size:.2} v0) and {axis} carries {of_axis:.2} v0: the axes are exchanged. Give --columns a={sign}{axis},{axis}=z,z={sign}{axis}, with the table's own names",
+        "the axis carries no impulse ({size:.2} v0) and {axis} carries {of_axis:.2} v0: the axes are exchanged. Give --columns a={sign}{axis} and, as {axis}, the column of another axis, with the table's own names",
         size = .over_v0.abs(),
         sign = if *.of_axis < 0.0 { "-" } else { "" }
     )]

@@ -51,6 +51,7 @@ mod symptom;
 mod table;
 mod table_format;
 mod table_header;
+mod unknown_zero;
 
 pub use clock_period::ClockPeriod;
 pub use clock_sign::ClockSign;

@@ -7,6 +7,7 @@ use super::file_kind::FileKind;
 use super::logger::{self, Label};
 use super::malformed::{Fault, Malformed, SourcePosition};
 use super::record::{DropSet, Record};
+use super::speed_heights;
 use super::symptom::symptoms_and_heights;
 use super::table;
 
@@ -29,8 +30,14 @@ pub(super) struct Remark {
     text: String,
 }
 
-/// Records of a file, and what was left aside in it.
-pub(super) type Read = (Vec<Record>, Vec<Remark>);
+/// What a file holds.
+pub(super) struct Read {
+    records: Vec<Record>,
+    /// What was left aside in it.
+    remarks: Vec<Remark>,
+    /// Whether its heights are those of measured speeds.
+    has_speeds: bool,
+}
 
 /// Records of a file in a folder of this name; a logger's file has frame and height from the folder's name.
 pub(super) fn records(
@@ -48,7 +55,7 @@ pub(super) fn records(
         FileKind::Logger => {
             let no_height = || malformed(path, SourcePosition::Whole, Fault::NoHeight { folder: folder.into() });
             let record = logger::record(&bytes()?, label.ok_or_else(no_height)?, &format.calibration).map_err(refused)?;
-            Ok((vec![record.turned_back(format.turn)], Vec::new()))
+            Ok(Read { records: vec![record.turned_back(format.turn)], remarks: Vec::new(), has_speeds: false })
         }
         FileKind::Table => {
             let (records, aside) = table::records(&bytes()?, &source, label.as_ref(), &format.table).map_err(refused)?;
@@ -60,19 +67,23 @@ pub(super) fn records(
             });
             let remark = |text: String| Remark { source: source.clone(), text };
             let records = records.into_iter().map(|record| record.turned_back(format.turn)).collect();
-            Ok((records, columns.into_iter().chain(rate).map(remark).collect()))
+            let remarks = columns.into_iter().chain(rate).map(remark).collect();
+            Ok(Read { records, remarks, has_speeds: aside.has_speeds })
         }
     }
 }
 
 /// All records by frame and height, or the first refusal.
 pub(super) fn gathered(all: Vec<Result<Read, Malformed>>) -> Result<DropSet, Malformed> {
-    let (mut records, mut remarks) = (Vec::new(), Vec::new());
+    let (mut records, mut of_speeds, mut remarks) = (Vec::new(), Vec::new(), Vec::new());
     for read in all {
-        let (some, said) = read?;
-        records.extend(some);
-        remarks.extend(said);
+        let read = read?;
+        if read.has_speeds { &mut of_speeds } else { &mut records }.extend(read.records);
+        remarks.extend(read.remarks);
     }
+    // Of all files together: each may hold one drop.
+    speed_heights::grouped(&mut of_speeds);
+    records.extend(of_speeds);
     let mut set = DropSet::of(records, notes(&remarks));
     let shown = symptoms_and_heights(&set);
     set.notes.extend(shown);

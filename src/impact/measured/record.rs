@@ -89,6 +89,12 @@ impl Record {
         let middle = steps.len().checked_sub(1)? / 2;
         Some(*steps.select_nth_unstable_by(middle, f64::total_cmp).1)
     }
+
+    /// Mean time between samples, s; `None` with fewer than two.
+    pub fn mean_step_s(&self) -> Option<f64> {
+        let steps = self.t_s.len().checked_sub(1).filter(|steps| *steps > 0)?;
+        Some((self.t_s[steps] - self.t_s[0]) / steps as f64)
+    }
 }
 
 /// Records of one frame from one height, in the order in which they were made, as far as names tell it.

@@ -8,6 +8,7 @@ use super::loud_noise::LoudNoise;
 use super::mixed_rates::MixedRates;
 use super::record::DropSet;
 use super::stamp_jitter::StampJitter;
+use super::unknown_zero::UnknownZero;
 
 /// In words, one a sentence or two; none where the records are as they should be.
 ///
@@ -35,7 +36,9 @@ fn told(set: &DropSet, of_falls: impl Fn(&[Fall]) -> Vec<String>) -> Vec<String>
             let offsets = FreeFallOffset::all(set);
             let heights = if offsets.is_empty() { of_falls(&Fall::of(set)) } else { Vec::new() };
             let noise = LoudNoise::of(set).map(|noise| noise.to_string());
-            offsets.iter().map(ToString::to_string).chain(heights).chain(noise).chain(others).collect()
+            let zeros = if offsets.is_empty() { UnknownZero::all(set) } else { Vec::new() };
+            let zeros = zeros.iter().map(ToString::to_string);
+            offsets.iter().map(ToString::to_string).chain(zeros).chain(heights).chain(noise).chain(others).collect()
         }
     }
 }

@@ -15,7 +15,6 @@ use super::logger::Calibration;
 use super::logger::Label;
 use super::malformed::{Fault, SourcePosition};
 use super::record::Record;
-use super::speed_heights;
 use super::spread::Spread;
 use super::table_format::TableFormat;
 use super::table_header::{Header, separator};
@@ -108,6 +107,8 @@ pub(super) struct Aside {
     pub columns: Vec<String>,
     /// Sampling rate by the time stamps, Hz, where one was given instead of them: the median of the records.
     pub stamped_hz: Option<f64>,
+    /// Whether heights are those of measured speeds, no two of which are the same.
+    pub has_speeds: bool,
 }
 
 impl Builder<'_> {
@@ -279,14 +280,12 @@ pub(super) fn records(bytes: &[u8], source: &str, label: Option<&Label>, format:
         return Err((SourcePosition::Whole, Fault::Empty));
     }
     builder.one_height_each().map_err(|fault| (SourcePosition::Whole, fault))?;
-    if builder.header.height.is_none() && builder.header.speed.is_some() {
-        speed_heights::grouped(&mut builder.records);
-    }
     if builder.reads_beyond {
         builder.records.iter_mut().for_each(|record| record.at_full_scale = 0);
     }
     let stamped_hz = Spread::of(builder.stamps.values().filter_map(Stamps::rate_hz)).map(|spread| spread.median);
-    Ok((builder.records, Aside { columns: builder.header.others, stamped_hz }))
+    let has_speeds = builder.header.height.is_none() && builder.header.speed.is_some();
+    Ok((builder.records, Aside { columns: builder.header.others, stamped_hz, has_speeds }))
 }
 
 pub(super) fn refused(error: &csv::Error) -> Refused {

@@ -38,7 +38,10 @@ impl Header {
         }
         let place = |quantity: Quantity| names.iter().position(|name| name == format.name(quantity).0);
         let signed = |quantity: Quantity| Some((place(quantity)?, if format.name(quantity).1 { -1.0 } else { 1.0 }));
-        let (height, speed) = (place(Quantity::Height), place(Quantity::Speed));
+        let is_named = |quantity: Quantity| format.columns.iter().any(|column| column.quantity == quantity);
+        let speed = place(Quantity::Speed);
+        // Whoever names the column of speeds means them.
+        let height = place(Quantity::Height).filter(|_| speed.is_none() || !is_named(Quantity::Speed) || is_named(Quantity::Height));
         let axial = signed(Quantity::Axial).or_else(|| signed(Quantity::Z));
         let needed = [
             (&[Quantity::Trial][..], place(Quantity::Trial).is_some() || labelled),
@@ -46,12 +49,19 @@ impl Header {
             (&[Quantity::Time], place(Quantity::Time).is_some() || format.rate_hz.is_some()),
             (&[Quantity::Axial, Quantity::Z], axial.is_some()),
         ];
-        let missing: Vec<String> = needed.iter().filter(|(_, there)| !there).map(|(any, _)| in_words(any, format)).collect();
+        let mut missing: Vec<String> = needed.iter().filter(|(_, there)| !there).map(|(any, _)| in_words(any, format)).collect();
+        for column in format.columns.iter().filter(|column| !names.contains(&column.name)) {
+            let named = format!("`{}`", column.name);
+            if !missing.iter().any(|lacks| lacks.contains(&named)) {
+                missing.push(named);
+            }
+        }
         let Some(axial) = axial.filter(|_| missing.is_empty()) else { return Err(lacking(missing, names, record)) };
         let kept: Vec<(String, usize)> =
             names.iter().enumerate().filter(|(_, name)| format.kept.contains(name)).map(|(at, name)| (name.clone(), at)).collect();
         // A comma at the end of each line makes a column without a name.
-        let left_aside = |name: &&String| !name.is_empty() && !wanted.contains(&name.as_str()) && !format.kept.contains(name);
+        let is_used = |name: &str| wanted.contains(&name) && (height.is_some() || name != format.name(Quantity::Height).0);
+        let left_aside = |name: &&String| !name.is_empty() && !is_used(name) && !format.kept.contains(name);
         let others = names.iter().filter(left_aside).cloned().collect();
         Ok(Self {
             trial: place(Quantity::Trial),

@@ -2,7 +2,7 @@
 
 use super::separating_experiment::SeparatingExperiment;
 use crate::impact::diagnose::{Confounding, CovariateEffect, FrameMode, FreeFallReading, StaticComparison};
-use crate::impact::fit::{Decimation, LeftOut};
+use crate::impact::fit::{Decimation, EarlyEnd, LeftOut};
 use crate::impact::landing::LandingAssessment;
 use crate::impact::measured::Fall;
 
@@ -23,6 +23,8 @@ pub struct Compared {
     pub drops: Vec<(f64, usize)>,
     /// How the readings of each height, m, were averaged and thinned out.
     pub sampling: Vec<(f64, Decimation)>,
+    /// Where the comparison ends, if a few records end before the others.
+    pub early_end: Option<EarlyEnd>,
     /// Drops left out, with the reason.
     pub left_out: Vec<LeftOut>,
     /// What they read along the axis in free fall, for each height.

@@ -276,6 +276,7 @@ impl DiagnosisRequest<'_> {
             own_effects: self.model.acting().map(|(spec, _)| spec.id).collect(),
             drops: choice.waves.groups.iter().map(|group| (group.height_m, group.windows.len())).collect(),
             sampling: choice.waves.groups.iter().map(|group| (group.height_m, group.decimation)).collect(),
+            early_end: chosen.early_end(),
             left_out: chosen.left_out.clone(),
             free_fall: if choice.axes == ComparedAxes::Magnitude { Vec::new() } else { FreeFallReading::all(chosen) },
             held_out_heights_m: self.hold_out_heights_m.to_vec(),

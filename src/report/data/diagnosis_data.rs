@@ -43,6 +43,11 @@ impl Compared {
         })
     }
 
+    /// Where the comparison ends, in a sentence, if a few records end before the others.
+    pub fn early_end(&self) -> Option<String> {
+        self.early_end.as_ref().map(|early| format!("note: {early}"))
+    }
+
     /// How many drops were left out, by what is wrong with them, in a sentence.
     pub fn left_out(&self) -> Option<String> {
         let each: Vec<String> =
@@ -150,6 +155,7 @@ pub fn json(diagnosis: &Diagnosis, compared: &Compared) -> Value {
         "channel": { "used": compared.channel, "stated": compared.stated_channel, "reason": compared.channel() },
         "drops": compared.drops.iter().map(|(height_m, count)| json!({ "height_m": height_m, "count": count })).collect::<Vec<_>>(),
         "sampling": compared.sampling.iter().map(sampling).collect::<Vec<_>>(),
+        "early_end": compared.early_end,
         "left_out": compared.left_out,
         "free_fall": compared.free_fall,
         "held_out_heights_m": compared.held_out_heights_m,

@@ -60,6 +60,7 @@ pub fn json(run: &Run) -> Value {
         "bootstrap": { "asked": run.bootstrap, "ended": fit.resampled, "seed": run.seed },
         "drops": chosen.drops.len(),
         "heights": heights.iter().map(|(height_m, drops)| json!({ "height_m": height_m, "drops": drops })).collect::<Vec<_>>(),
+        "early_end": run.numbers.and_then(|_| chosen.early_end()),
         "left_out": chosen.left_out,
         "warnings": run.warnings.iter().map(|(height_m, warning)| json!({ "height_m": height_m, "warning": warning })).collect::<Vec<_>>(),
     })

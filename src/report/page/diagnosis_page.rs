@@ -78,6 +78,7 @@ fn drops(diagnosis: &Diagnosis, compared: &Compared) -> Vec<Block> {
         lines.push(format!("{} readings clip at {:.1} g.", clipping.readings, clipping.level_g));
     }
     lines.push(format!("Trend over trials: p = {}.", p_value(diagnosis.trend_p)));
+    lines.extend(compared.early_end());
     lines.extend(compared.free_fall());
     if !compared.left_out.is_empty() {
         lines.push(format!("Drops left out: {}. The last section lists them with the reasons.", compared.left_out.len()));
