@@ -66,7 +66,7 @@ pub enum Hint {
     },
     /// Another axis.
     #[error(
-        "the axis carries no impulse ({size:.2} v0) and {axis} carries {of_axis:.2} v0: the axes are exchanged. Give --columns a={sign}{axis} and, as {axis}, the column of another axis, with the table's own names",
+        "the axis carries no impulse ({size:.2} v0) and {axis} carries {of_axis:.2} v0: the axes are exchanged. Give --columns a={sign}{axis},{axis}=z,z={sign}{axis}, with the table's own names, and accel_g in place of z where it has no column z",
         size = .over_v0.abs(),
         sign = if *.of_axis < 0.0 { "-" } else { "" }
     )]
@@ -266,6 +266,6 @@ mod tests {
         let axes = |along: f64, x: f64, y: f64| Hint::of(&of(along, 1.0, Some([x, y]))).map(|hint| hint.to_string());
         assert_eq!([axes(1.0, 0.0, 0.1), axes(0.0, 0.1, 0.2), axes(0.0, 1.0, 1.0), axes(0.8, 0.8, 0.0)], [None, None, None, None]);
         let said = axes(0.0, 0.1, -1.0).expect("y has the impulse");
-        assert!(said.contains("y carries -1.3 v0") || said.contains("--columns a=-y,y=z,z=-y"), "{said}");
+        assert!(said.contains("y carries -1.29 v0") && said.contains("--columns a=-y,y=z,z=-y"), "{said}");
     }
 }
