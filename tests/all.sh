@@ -717,7 +717,7 @@ summary() {
     failures=$(grep -c '^FAILED ' "$results" || true)
     skips=$(grep -c '^skipped ' "$results" || true)
     heading "summary"
-    grep -E '^(FAILED|skipped) ' "$results" || true
+    grep -E '^(FAILED|skipped|tried again) ' "$results" || true
     echo "$passes passed, $failures failed, $skips skipped"
     [[ $failures == 0 ]]
 }

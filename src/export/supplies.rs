@@ -289,6 +289,19 @@ mod tests {
     }
 
     #[test]
+    fn analytic_a_computer_has_its_card_its_pins_and_the_ribbon_of_its_camera() {
+        let whole = supplies(&Design::new(frame("cognifly")).expect("can be made"));
+        assert_eq!(line(&whole, "camera_cable").search, "camera ribbon cable pi camera v2 to pi zero w");
+        assert!(line(&whole, "camera_cable").note.contains("a ribbon is not cut"));
+        let bare = FrameFile::parse("own.toml", "base = \"cognifly\"\n[bought]\ncomputer = \"none\"\ncamera = \"none\"\n").expect("reads");
+        let bare = supplies(&Design::new(Frame::resolve(&bare).expect("resolves")).expect("can be made"));
+        for role in ["memory_card", "pin_header"] {
+            assert_eq!(line(&whole, role).quantity, 1);
+            assert!(bare.iter().all(|one| one.role != role), "{bare:?}");
+        }
+    }
+
+    #[test]
     fn analytic_every_step_that_solders_is_among_those_of_the_solder() {
         let solder = line(&supplies(&Design::new(frame("cognifly")).expect("can be made")), "solder").note;
         for step in ["power connector into the bracket", "bracket under the hub", "motor wires", "power connector into the lid"] {

@@ -769,6 +769,17 @@ fn planted_folds_that_cannot_be_are_refused_with_the_reason() {
     assert_says(&text(&output.stderr), &["cannot be folded: the leg needs 13.0 mm"]);
 }
 
+/// A load in front of the front motors: those behind would have to pull down.
+#[test]
+fn planted_a_frame_that_cannot_hover_is_told() {
+    let load = "[extras.load]\nmass_g = 400.0\nmass_basis = \"measured\"\nsource = \"own\"\nposition_mm = [0.0, 90.0, 20.0]\n";
+    let output = Bench::new(&format!("base = \"cognifly\"\n{load}")).run("export", &["--mjcf", "--model", "paper"]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    assert_says(&text(&output.stderr), &["warning: a hover takes -", "of motor_B", "no propeller pulls down"]);
+    let plain = Bench::new("base = \"cognifly\"\n").run("export", &["--mjcf", "--model", "paper"]);
+    assert!(!text(&plain.stderr).contains("hover"), "{}", text(&plain.stderr));
+}
+
 #[test]
 fn analytic_export_writes_the_formats_that_are_asked_for() {
     let bench = Bench::new("base = \"cognifly\"\n");
@@ -787,7 +798,7 @@ fn analytic_export_writes_the_formats_that_are_asked_for() {
         for name in ["frame.xml", "scene.xml", "frame.urdf", "model.sdf", "model.config"] {
             assert_eq!(folder.join(name).exists(), written.contains(&name), "{options:?} {name}");
         }
-        assert!(folder.join("meshes/cage.obj").exists());
+        assert_eq!(folder.join("meshes/cage.obj").exists(), options != ["--mjcf"], "{options:?}");
     }
     let own = bench.run("export", &["--mjcf", "--json"]);
     let told: serde_json::Value = serde_json::from_slice(&own.stdout).expect("JSON");

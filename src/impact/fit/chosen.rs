@@ -450,6 +450,54 @@ mod tests {
         );
     }
 
+    /// Five drops of three axes, of which the one along the fall is dead in the third.
+    #[test]
+    fn planted_a_drop_whose_compared_axis_is_dead_is_left_out_alone() {
+        let mut text = String::from("trial,height_m,t_s,accel_g,x,y\n");
+        for trial in 1..=5 {
+            for sample in 0..90 {
+                let hit = (40..50).contains(&sample);
+                let push_g = if hit { 45.0 * libm::sin(0.1 * std::f64::consts::PI * (f64::from(sample - 40) + 0.5)) } else { 0.0 };
+                let along_g = if trial == 3 { 0.0 } else { push_g };
+                text += &format!("{trial},0.5,{:.3},{along_g:.3},{:.3},0\n", f64::from(sample) * 1e-3, 0.2 * push_g);
+            }
+        }
+        let set = read_bytes(&[("a.csv".into(), text.into())], &FileFormat::default()).expect("reads");
+        let chosen = Chosen::of(&set, Channel::Axial, Keep::Evidence).expect("four are good");
+        let left_out: Vec<(&str, &str)> = chosen.left_out.iter().map(|out| (&out.trial[..], &out.reason[..])).collect();
+        assert_eq!(left_out, [("3", "no impact in what is compared: nothing above 3 g")]);
+        assert_eq!(chosen.waves().expect("are aligned").count(), 4);
+    }
+
+    /// Two late samples move the mean step, and not the median one; the last record ends early.
+    #[test]
+    fn planted_a_record_that_lasts_too_long_or_ends_too_early_is_left_out_and_refuses_no_other() {
+        let rows = |trial: u32, samples: u32, late: [u32; 2]| -> String {
+            let row = |sample: u32| {
+                let moved = late.iter().filter(|from| sample >= **from).count() as f64;
+                let t_s = (f64::from(sample) + 0.45 * moved) / 450.0;
+                let push_g = if (20..25).contains(&sample) {
+                    45.0 * libm::sin(0.2 * std::f64::consts::PI * (f64::from(sample - 20) + 0.5))
+                } else {
+                    0.0
+                };
+                format!("{trial},0.5,{t_s:.6},{push_g:.3}\n")
+            };
+            (0..samples).map(row).collect()
+        };
+        let mut text: String = "trial,height_m,t_s,accel_g\n".into();
+        text += &(1..=4).map(|trial| rows(trial, 60, [100, 100])).collect::<String>();
+        text += &rows(5, 60, [3, 9]);
+        text += &rows(6, 29, [100, 100]);
+        let set = read_bytes(&[("a.csv".into(), text.into())], &FileFormat::default()).expect("reads");
+        let chosen = Chosen::of(&set, Channel::Axial, Keep::Evidence).expect("four are good");
+        let reasons: Vec<&str> = chosen.left_out.iter().map(|out| &out.reason[..]).collect();
+        let [slow, short] = reasons[..] else { panic!("{reasons:?}") };
+        assert!(slow.starts_with("sampled every 2.255") && slow.contains("on average"), "{slow}");
+        assert_eq!(short, "too short: 9 samples to compare from first touch on, 10 are needed");
+        assert_eq!((chosen.waves().expect("are aligned").count(), chosen.early_end()), (4, None));
+    }
+
     /// Each window has the drop that it is of, though drops of two sessions have the same numbers.
     #[test]
     fn analytic_drops_of_one_name_are_told_apart() {

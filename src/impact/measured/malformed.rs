@@ -120,7 +120,7 @@ pub enum Fault {
         most: u32,
     },
     /// A number that cannot be.
-    #[error("`{column}` = {value} is out of bounds: {min} to {max} {unit}")]
+    #[error("`{column}` = {} is out of bounds: {min} to {max} {unit}", written(*.value))]
     OutOfBounds {
         /// Column.
         column: &'static str,
@@ -133,6 +133,9 @@ pub enum Fault {
         /// Unit.
         unit: &'static str,
     },
+    /// A static test in which nothing was pressed.
+    #[error("`displacement_mm` is 0 in every row")]
+    NotPressed,
     /// No trial.
     #[error("`trial` is empty")]
     NoTrial,
@@ -193,6 +196,14 @@ fn is_wrap(before_s: f64, t_s: f64) -> bool {
     (WRAP_S - WRAP_STEP_S..=WRAP_S).contains(&(before_s - t_s))
 }
 
+/// Numbers from here on are written as powers of ten.
+const LONG: f64 = 1e15;
+
+/// A number as it is read best.
+fn written(value: f64) -> String {
+    if value.abs() < LONG { value.to_string() } else { format!("{value:e}") }
+}
+
 impl Fault {
     /// What to do.
     pub fn remedy(&self) -> String {
@@ -225,6 +236,7 @@ impl Fault {
                 "look at the unit: --units mg, m/s2 or N/g reads other readings than g, the last one counts, N of them a g".into()
             }
             Self::OutOfBounds { .. } => "look at the unit".into(),
+            Self::NotPressed => "give the displacement under at least one force".into(),
             Self::NoTrial => "give each drop a name or a number".into(),
             Self::Unsorted { before_s, t_s, .. } if t_s == before_s => {
                 "where a table's stamps are rounded, give its sampling rate in their place: --rate HZ; where a row stands there twice, delete one \

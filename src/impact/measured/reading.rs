@@ -157,6 +157,24 @@ mod tests {
         assert_eq!(read(&files), set);
     }
 
+    /// A drop a file, as some loggers write them.
+    #[test]
+    fn analytic_heights_of_speeds_are_those_of_all_files_together() {
+        let file = |trial: usize, v_m_s: f64| {
+            (format!("{trial}.csv"), format!("trial,speed_m_s,t_s,accel_g\n{trial},{v_m_s},0,0\n{trial},{v_m_s},0.001,0\n").into_bytes())
+        };
+        let files = [
+            file(1, 3.12),
+            file(2, 4.45),
+            file(3, 3.14),
+            file(4, 4.41),
+            ("5.csv".into(), b"trial,height_m,t_s,accel_g\n5,0.5,0,0\n".to_vec()),
+        ];
+        let set = read_bytes(&files, &FileFormat::default()).expect("reads");
+        let groups: Vec<(f64, usize)> = set.groups.iter().map(|group| (group.height_m, group.records.len())).collect();
+        assert_eq!(groups, [(0.499, 2), (0.5, 1), (1.001, 2)]);
+    }
+
     #[test]
     fn planted_a_sampling_rate_that_contradicts_the_time_stamps() {
         let rows: String = (0..50).map(|at| format!("1,0.5,{},0\n", f64::from(at) * 1e-3)).collect();

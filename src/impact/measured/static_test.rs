@@ -28,13 +28,18 @@ fn points(name: &str, bytes: &[u8]) -> Result<Vec<[f64; 2]>, Malformed> {
 }
 
 fn rows(bytes: &[u8]) -> Result<Vec<[f64; 2]>, (SourcePosition, Fault)> {
-    sheet::rows(bytes, &COLUMNS, |row, _, (places, _)| {
+    let points = sheet::rows(bytes, &COLUMNS, |row, _, (places, _)| {
         let mut point = [0.0; 2];
         for (at, column) in places.into_iter().enumerate() {
             point[at] = number(row, column, COLUMNS.needed[at], &BOUNDS[at], UNITS[at])?;
         }
         Ok(point)
-    })
+    })?;
+    if points.iter().any(|[displacement_mm, _]| *displacement_mm > 0.0) {
+        Ok(points)
+    } else {
+        Err((SourcePosition::Whole, Fault::NotPressed))
+    }
 }
 
 /// Points of a static test.
@@ -120,6 +125,7 @@ mod tests {
             ("displacement_mm,force_n\n1,x\n", SourcePosition::Line(2), "`force_n` is `x`"),
             ("displacement_mm,force_n\n-1,2\n", SourcePosition::Line(2), "out of bounds"),
             ("displacement_mm,force_n\n", SourcePosition::Whole, "has no reading below its header"),
+            ("displacement_mm,force_n\n0,0\n", SourcePosition::Whole, "is 0 in every row"),
         ] {
             let (at, fault) = rows(text.as_bytes()).expect_err("is refused");
             assert!(at == place && fault.to_string().contains(says), "{text}: {at:?} {fault}");

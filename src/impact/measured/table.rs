@@ -384,6 +384,24 @@ mod tests {
     }
 
     #[test]
+    fn planted_a_column_that_is_named_and_not_there_is_told_though_it_may_be_missing() {
+        let strings = |all: &[&str]| all.iter().map(ToString::to_string).collect::<Vec<_>>();
+        let head = "trial,height_m,speed_m_s,t_s,accel_g,Acc_X\n1,0.5,4.429,0,0,1\n";
+        let read = |columns: &[&str]| {
+            let format = TableFormat::new(&strings(columns), &[], None).expect("is one");
+            records(head.as_bytes(), "a.csv", None, &format).map_err(|(_, fault)| fault.to_string())
+        };
+        for (column, name) in [("x=AccX", "AccX"), ("session=day", "day"), ("v=velocity", "velocity")] {
+            assert!(read(&[column]).expect_err("is refused").starts_with(&format!("lacks the column `{name}`; it has")), "{column}");
+        }
+        // Speeds that are named are used, and the heights beside them are not.
+        let (all, aside) = read(&["v=speed_m_s"]).expect("reads");
+        assert_eq!((all[0].height_m, aside.has_speeds, aside.columns), (1.0001, true, strings(&["height_m", "Acc_X"])));
+        let (all, aside) = read(&["v=speed_m_s", "h=height_m"]).expect("reads");
+        assert_eq!((all[0].height_m, aside.has_speeds), (0.5, false));
+    }
+
+    #[test]
     fn regress_a_comma_at_the_end_of_a_line_is_no_column() {
         let (_, aside) = read("trial,height_m,t_s,accel_g,\n1,0.5,0,0,\n").expect("reads");
         assert_eq!(aside.columns, Vec::<String>::new());
@@ -411,6 +429,7 @@ mod tests {
             (&format!("{head}1,0.5,0,nan\n"), SourcePosition::Line(2), "`accel_g` is `nan`, no number"),
             (&format!("{head}1,0.5,0,\n"), SourcePosition::Line(2), "`accel_g` is ``, no number"),
             (&format!("{head}1,0.5,0,1e9\n"), SourcePosition::Line(2), "`accel_g` = 1000000000 is out of bounds"),
+            (&format!("{head}1,0.5,0,1e300\n"), SourcePosition::Line(2), "`accel_g` = 1e300 is out of bounds"),
             (&format!("{head}1,-0.5,0,1\n"), SourcePosition::Line(2), "`height_m` = -0.5 is out of bounds: 0.01 to 100 m"),
             (&format!("{head},0.5,0,1\n"), SourcePosition::Line(2), "`trial` is empty"),
             (&format!("{head}1,0.5,1,0\n1,0.5,0,0\n"), SourcePosition::Line(3), "time does not ascend in trial `1`: 0 s after 1 s"),
