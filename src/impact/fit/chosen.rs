@@ -493,7 +493,7 @@ mod tests {
         let chosen = Chosen::of(&set, Channel::Axial, Keep::Evidence).expect("four are good");
         let reasons: Vec<&str> = chosen.left_out.iter().map(|out| &out.reason[..]).collect();
         let [slow, short] = reasons[..] else { panic!("{reasons:?}") };
-        assert!(slow.starts_with("sampled every 2.255") && slow.contains("on average"), "{slow}");
+        assert!(slow.starts_with("sampled every 2.2561") && slow.contains("on average"), "{slow}");
         assert_eq!(short, "too short: 9 samples to compare from first touch on, 10 are needed");
         assert_eq!((chosen.waves().expect("are aligned").count(), chosen.early_end()), (4, None));
     }
