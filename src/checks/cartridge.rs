@@ -16,6 +16,7 @@ use super::rule::{Blame, Found, InSearch, Levers, Pass, Rule};
 use super::scene::{Placed, Scene};
 use crate::figures::told_apart;
 use crate::frame::assembly::Kind;
+use crate::frame::assembly::press_fit::TOUCH_MM3;
 use crate::frame::skeleton::centre::LEAST_IN_LID_MM;
 use crate::memo::Memo;
 use crate::params::PartName;
@@ -45,8 +46,6 @@ const CARTRIDGE: [&str; 3] = ["battery", "connector_lid", "magnet_lid"];
 const STEP_MM: f64 = 2.0;
 /// First step, that frees faces in contact, mm.
 const FIRST_MM: f64 = 0.05;
-/// Volume that sliding faces may share by rounding, mm³.
-const TOUCH_MM3: f64 = 0.05;
 /// Faces nearer than this meet, mm.
 const MEET_MM: f64 = 0.1;
 

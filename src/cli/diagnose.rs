@@ -57,7 +57,7 @@ pub(super) struct Args {
     #[arg(long, value_delimiter = ',', value_name = "COLUMN|CSV,…")]
     pub covariate: Vec<String>,
     /// Most effects on top of spring and damper, 1 to 3.
-    #[arg(long, default_value_t = 3, value_name = "N", value_parser = count([1, MOST_EFFECTS as u32]))]
+    #[arg(long, default_value_t = MOST_EFFECTS, value_name = "N", value_parser = count([1, MOST_EFFECTS as u32]))]
     pub max_effects: usize,
     /// Seed of the simulated data.
     #[arg(long, default_value_t = 1, value_name = "N", value_parser = seed())]

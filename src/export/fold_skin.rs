@@ -4,7 +4,7 @@ use nalgebra::{Point3, Unit, Vector3};
 
 use crate::frame::skeleton::CornerPivots;
 use crate::params::Frame;
-use crate::solid::{Bend, Mesh};
+use crate::solid::{Bend, Mesh, OFF_EDGE_MM, OPENING};
 
 /// Largest turn between two joints of a chain, degrees.
 const JOINT_DEG: f64 = 12.0;
@@ -86,7 +86,3 @@ impl Hinge {
         }
     }
 }
-
-/// The moving side's edges at the pivot, and how fast the planes beside it open: those of the bend itself.
-const OFF_EDGE_MM: f64 = 0.02;
-const OPENING: f64 = 0.4;

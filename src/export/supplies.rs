@@ -1,8 +1,7 @@
 //! What the instructions use up and no catalogue has: filament, glue, tape, solder, wires and cables, and the receiver.
 //!
-//! **Wires.** Those of motors and battery run as [`wires`](crate::frame::assembly::wires) draws them. Of the others no way is drawn: a
-//! cable goes straight from the middle of one body to that of the other. To this way come a share of it,
-//! for bends and so that bundles stay slack at the plugs, and a fixed length for two ends to solder or plug. Both are a
+//! **Wires.** Those of motors and battery run as [`wires`](crate::frame::assembly::wires) draws them, and the cables, too. To this way come a share of
+//! it, for bends and so that bundles stay slack at the plugs, and a fixed length for two ends to solder or plug. Both are a
 //! choice, so a length here is good for buying, not for cutting: measure before you cut.
 
 use crate::frame::assembly::Design;

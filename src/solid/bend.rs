@@ -219,7 +219,7 @@ const CREASE_MM: f64 = 0.02;
 const REACH_MM: f64 = 60.0;
 
 /// The planes beside the moving side start this far off its edges, so that they do not graze them, mm.
-const OFF_EDGE_MM: f64 = 0.02;
+pub const OFF_EDGE_MM: f64 = 0.02;
 
 /// How fast the planes beside the moving side open: halfway to a limb at 45° to it.
-const OPENING: f64 = 0.4;
+pub const OPENING: f64 = 0.4;

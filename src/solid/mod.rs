@@ -22,7 +22,7 @@ mod region;
 mod stout;
 mod turn_polygon;
 
-pub use bend::Bend;
+pub use bend::{Bend, OFF_EDGE_MM, OPENING};
 pub use boundary::{Boundary, Curve, Edge, FLATNESS_MM, Face, NotExact, Side, Surface, square_to};
 pub use box_tree::BoxTree;
 pub use brep::Brep;

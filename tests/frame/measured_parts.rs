@@ -3,7 +3,7 @@
 //!
 //! The figures stand in `reference/parts.toml` and `reference/dimensions.toml`. The joints' fold angles and the sockets as
 //! assembled are in `measured_skeleton.rs`; heights in the assembly, the battery's fit and the gap between the magnets are
-//! measured next to the parts (`src/parts/centre.rs`, `battery_sleeve.rs`, `battery_lid.rs`).
+//! measured next to the parts (`src/frame/assembly/centre_tests.rs`, `battery_sleeve.rs`, `battery_lid.rs`).
 
 use crate::real::{figures, ours};
 use flexframe::params::PartName;

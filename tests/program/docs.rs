@@ -121,6 +121,35 @@ fn regress_readme_states_mass_and_size_of_each_preset() {
     }
 }
 
+/// The default frame's tensor of inertia about the centre of mass, as rows of a table, g mm² in groups of three digits.
+fn inertia_rows(frame: &serde_json::Value) -> String {
+    let grouped = |value: &serde_json::Value| {
+        let digits = format!("{:.0}", number(value).abs());
+        let groups: Vec<&[u8]> = digits.as_bytes().rchunks(3).rev().collect();
+        let text = groups.iter().map(|group| String::from_utf8_lossy(group).into_owned()).collect::<Vec<_>>().join(" ");
+        if number(value) <= -0.5 { format!("-{text}") } else { text }
+    };
+    let row = |axis: usize| {
+        let of = &frame["masses"]["inertia_g_mm2"][axis];
+        format!("| {} | {} | {} | {} |", ["X", "Y", "Z"][axis], grouped(&of[0]), grouped(&of[1]), grouped(&of[2]))
+    };
+    [0, 1, 2].map(row).join(" ")
+}
+
+/// Every file of tests has a line in the page on testing.
+#[test]
+fn regress_the_page_on_testing_names_every_file_of_tests() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let page = fs::read_to_string(root.join("docs/testing.md")).expect("UTF-8");
+    for folder in ["frame", "impact", "program", "source"] {
+        for entry in fs::read_dir(root.join("tests").join(folder)).expect("is there") {
+            let name = entry.expect("can be read").file_name().into_string().expect("UTF-8");
+            let stated = page.contains(&format!("`tests/{folder}/{name}`"));
+            assert!(stated || name == "main.rs" || !name.ends_with(".rs"), "docs/testing.md should name tests/{folder}/{name}");
+        }
+    }
+}
+
 #[test]
 fn regress_texts_state_the_masses_of_their_frames() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -148,6 +177,7 @@ fn regress_texts_state_the_masses_of_their_frames() {
         ("docs/differences.md", format!("| printed parts, rods, total | {} | {} |", of_parts(&v8), of_parts(&default))),
         ("docs/printing.md", format!("rigid parts of pla at 210 °C ({:+.1} g,", of_pla - total)),
         ("docs/physics.md", format!("they weigh {:.2} g now", mass_of_kind(&v8, "printed"))),
+        ("docs/physics.md", inertia_rows(&default)),
     ] {
         let text = page(name).split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(text.contains(&sentence), "{name} should state\n{sentence}");

@@ -8,7 +8,7 @@ use std::process::Command;
 use assert_cmd::cargo::cargo_bin;
 use serde_json::Value;
 
-/// Six drops each from two heights, three axes, whole records.
+/// Nine drops each from two heights, three axes, whole records.
 const PLAN: &str = "mass_kg = 0.241\ngap_mm = 16.0\n[sensor]\ncutoff_hz = 500.0\norder = 1\nlimit_g = 230.0\nchannel = \"axial\"\n\
     [effects.linear_spring]\nk = 7040.0\n[effects.linear_damper]\nc = 25.0\n[drops]\nheights_m = [0.5, 1.0]\ncount = 9\nseed = 3\n\
     [logger]\nrecord_s = 1.2\n[landing]\ntouch_g = 70.0\n";

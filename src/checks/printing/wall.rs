@@ -18,7 +18,7 @@ use crate::figures::decimals;
 use crate::frame::assembly::{Design, Printed};
 use crate::frame::parts::{WallPlace, record};
 use crate::params::PartName;
-use crate::printing::printability::{Thin, Walls};
+use crate::printing::printability::{AREA_MM2, Thin, Walls};
 use crate::solid::MeshSolid;
 
 /// The record of a rule: walls are thick enough to print.
@@ -36,8 +36,6 @@ pub static RULE: Rule = Rule {
 
 /// Facets looked at, a part.
 const SAMPLES: usize = 500;
-/// Surface that must be thin before a floor is, mm².
-const AREA_MM2: f64 = 0.5;
 /// Walls thicker than this many limits are not measured.
 const REACH: f64 = 4.0;
 /// Least cosine between the directions of opposite facets: 25°.

@@ -11,7 +11,7 @@ use super::not_printed::{NotPrinted, Plain};
 use super::printed::{Printed, Recipe};
 use crate::frame::parts::{MaterialClass, PrintedPart, catalogue, record};
 use crate::frame::skeleton::Centre;
-use crate::frame::skeleton::{ClosureError, Envelope, MODULE_NAMES, Skeleton, lengths_for};
+use crate::frame::skeleton::{BELOW_MM, ClosureError, Envelope, MODULE_NAMES, Skeleton, lengths_for};
 use crate::memo::{Memo, Progress, Step};
 use crate::params::frame::{NamedMaterial, TargetSize};
 use crate::params::{Broken, Frame, PartName, lengths_hold};
@@ -243,9 +243,6 @@ impl<B: Send> Making<'_, B> {
         Ok(ControlFlow::Continue(design))
     }
 }
-
-/// The second solution is narrower than wanted by this, mm: meshes have rounded corners, and the size is a limit.
-const BELOW_MM: f64 = 0.002;
 
 /// Replaces the rod lengths by those that give the target size.
 fn solve_target(frame: &mut Frame, target: TargetSize) -> Result<(), DesignError> {

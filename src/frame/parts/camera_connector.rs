@@ -15,7 +15,7 @@ use crate::units::Angle;
 /// The record of the left one.
 pub static LEFT: PrintedPart = PrintedPart {
     name: PartName::CameraConnectorLeft,
-    feature: |frame, _, centre| left(frame, centre),
+    feature: |frame, _, _| left(frame),
     material: MaterialClass::Rigid,
     seat: Seat::Centre(Centre::camera_left_pose),
     fold: Fold::Stands,
@@ -27,7 +27,7 @@ pub static LEFT: PrintedPart = PrintedPart {
 /// The record of the right one.
 pub static RIGHT: PrintedPart = PrintedPart {
     name: PartName::CameraConnectorRight,
-    feature: |frame, _, centre| right(frame, centre),
+    feature: |frame, _, _| right(frame),
     material: MaterialClass::Rigid,
     seat: Seat::Centre(Centre::camera_right_pose),
     fold: Fold::Stands,
@@ -58,13 +58,13 @@ const BLOCK_SHARE: f64 = 0.208;
 const FILLET_MM: f64 = 1.0;
 
 /// The left connector, at +x.
-pub fn left(frame: &Frame, _centre: &Centre) -> Feature {
+pub fn left(frame: &Frame) -> Feature {
     Connector::new(frame).feature()
 }
 
 /// The right connector, at -x: the left one mirrored.
-pub fn right(frame: &Frame, centre: &Centre) -> Feature {
-    left(frame, centre).mirrored(Vector3::x())
+pub fn right(frame: &Frame) -> Feature {
+    left(frame).mirrored(Vector3::x())
 }
 
 /// The left one is printed on its flat inner side.
@@ -202,9 +202,9 @@ mod tests {
     #[test]
     fn analytic_connectors_stand_on_their_flat_for_any_camera() {
         for across_mm in [18.0, 21.0, 23.0, 24.0, 34.0, 40.0] {
-            let (mut frame, centre) = v8();
+            let (mut frame, _) = v8();
             frame.camera.camera_pattern_across_mm = across_mm;
-            let mesh = MeshSolid::build(&left(&frame, &centre).placed(nalgebra::convert(print_turn_left()))).to_mesh();
+            let mesh = MeshSolid::build(&left(&frame).placed(nalgebra::convert(print_turn_left()))).to_mesh();
             let low_mm = mesh.bounds_mm()[0][2];
             let lies = |triangle: &&[u32; 3]| mesh.corners(triangle).iter().all(|corner| corner.z < low_mm + 1e-3);
             let area_mm2: f64 = mesh
@@ -223,8 +223,8 @@ mod tests {
 
     #[test]
     fn measured_connectors_are_like_the_real_ones() {
-        let (frame, centre) = v8();
-        for (feature, side) in [(left(&frame, &centre), 1.0), (right(&frame, &centre), -1.0)] {
+        let (frame, _) = v8();
+        for (feature, side) in [(left(&frame), 1.0), (right(&frame), -1.0)] {
             let connector = Gauged::new(&feature);
             connector.like_the_real_one([6.0, 21.55, 16.9], 510.1, 2.0, 3);
             connector.hole([0.0, 0.0, -1.0], [0.0, 0.0, 5.0], 2.0);

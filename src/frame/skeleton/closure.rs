@@ -210,8 +210,8 @@ pub struct Envelope {
     pub strut_tilt: Angle,
 }
 
-/// The frame is made lower than wanted by this, mm: its meshes have rounded corners, and the size is a limit.
-const BELOW_MM: f64 = 0.002;
+/// A frame is made smaller than wanted by this, mm: its meshes have rounded corners, and the size is a limit.
+pub const BELOW_MM: f64 = 0.002;
 
 /// Cage, arm and strut rod lengths (mm) that give a frame of this size and tilt: the inverse of [`Closure::solve`]. The
 /// ring's corners are taken to be outermost.

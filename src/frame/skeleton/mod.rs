@@ -22,7 +22,7 @@ pub use battery_axes::BatteryAxes;
 pub use bore::{grip_bore_mm, slide_bore_mm};
 pub use centre::Centre;
 pub use closing_lengths::closing_lengths;
-pub use closure::{Closure, ClosureError, Envelope, lengths_for};
+pub use closure::{BELOW_MM, Closure, ClosureError, Envelope, lengths_for};
 pub use corner_pivots::CornerPivots;
 pub use graph::{Node, Rod, RodRole, SAWN_MM, Skeleton, Socket};
 pub use module::{MODULE_NAMES, MODULE_WORDS, ModulePlaces, module_turn};

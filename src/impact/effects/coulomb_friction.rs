@@ -11,7 +11,7 @@ use super::parameter::{Parameter, Scale};
 use super::spec::{Availability, Spec, Stage, singles};
 
 /// Speed over which the sign turns, m/s.
-const TURN_M_S: f64 = 0.05;
+pub const TURN_M_S: f64 = 0.05;
 
 /// Its record.
 pub(super) const SPEC: Spec = Spec {

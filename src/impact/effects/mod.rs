@@ -43,6 +43,7 @@ mod unilateral_contact;
 pub use air_drag::SPEC as AIR_DRAG;
 pub use arrangement::{Arrangement, AttachedMass, Feet, SpringCurve};
 pub use catalogue::{CATALOGUE, by_id, states, working};
+pub use coulomb_friction::TURN_M_S;
 pub use drop_height_error::SPEC as DROP_HEIGHT_ERROR;
 pub use effect::{Effect, MotionState, Reach, Threshold};
 pub use fall::Fall;

@@ -8,7 +8,7 @@ use super::chosen_model::ChosenModel;
 use super::evidence::TouchEvidence;
 use super::fitting::{LandingFit, LandingProblem};
 use super::foot_mode::FOOT_MODE;
-use super::gaps::{LandingGaps, gaps_of_one_height, held_out_ci95_g, held_out_gaps, left_out_gaps};
+use super::gaps::{LandingGaps, as_read, gaps_of_one_height, held_out_ci95_g, held_out_gaps, left_out_gaps};
 use super::gate::Gate;
 use super::landing_evidence::LandingEvidence;
 use super::landing_scatter::LandingScatter;
@@ -119,7 +119,7 @@ impl LandingAssessment {
             None if evidence.fitted.groups.len() < 2 => gaps_of_one_height(&problem, evidence.fitted, &fit)?,
             None => left_out_gaps(&problem, evidence.fitted, &fit, evidence.seed)?,
         };
-        let may_be = uncertainty.drawn(&problem, &fit, DRAWN, evidence.seed);
+        let may_be = uncertainty.drawn(&problem, &fit, DRAWN, evidence.seed)?;
         let held_out_ci95_g = held.as_ref().and_then(|(waves, _)| held_out_ci95_g(&problem, waves, &may_be));
         let gaps = LandingGaps { held_out_ci95_g, ..gaps };
         let estimates = uncertainty.estimates(&problem, &fit)?;
@@ -127,7 +127,14 @@ impl LandingAssessment {
         let tables = problem.tables(&fit.legs)?;
         let attitude = match known {
             Some(known) => known,
-            None => AttitudeAssessment::of(&problem, &tables, &fit, held.as_ref().map(|(_, touches)| touches), evidence.seed)?,
+            None => {
+                let read = |(waves, touches): &(&Waves, ObservedLandings)| as_read(&problem, &fit, waves, touches);
+                let held = match &held {
+                    Some(held) => Some(read(held)?),
+                    None => None,
+                };
+                AttitudeAssessment::of(&problem, &tables, &fit, held.as_ref(), evidence.seed)?
+            }
         };
         let covariates = covariates(evidence.fitted, &fitted_touches, &tables, &fit);
         let separating = separating(&problem, evidence.observed, &fit, evidence.seed);

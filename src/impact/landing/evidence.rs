@@ -11,6 +11,7 @@ use rand_pcg::Pcg64;
 use statrs::distribution::{Binomial, DiscreteCDF};
 
 use super::observed::{HeightLandings, ObservedLanding, ObservedLandings};
+use crate::impact::diagnose::RARE;
 
 /// A direction counts as a diagonal within so much, rad.
 const NEAR_RAD: f64 = 15.0 * std::f64::consts::PI / 180.0;
@@ -18,9 +19,6 @@ const NEAR_RAD: f64 = 15.0 * std::f64::consts::PI / 180.0;
 const NULL_SHARE: f64 = 1.0 / 3.0;
 /// Permutations.
 const PERMUTED: usize = 999;
-/// Significance level of both tests.
-const RARE: f64 = 0.01;
-
 /// Significance level of directions alone: a frame that rings along one of its sides has some like these.
 const VERY_RARE: f64 = 1e-4;
 

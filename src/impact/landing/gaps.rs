@@ -147,12 +147,18 @@ pub fn held_out_gaps(
     seed: u64,
 ) -> Option<LandingGaps> {
     let waves = waves_of(problem, held);
-    let unread = LandingProblem { waves: &waves, observed: touches, ..problem.clone() };
-    let touches = touches.with_errors(&unread.tables(&fit.legs)?, &fit.slopes);
-    let other = LandingProblem { observed: &touches, ..unread };
+    let touches = as_read(problem, fit, held, touches)?;
+    let other = LandingProblem { waves: &waves, observed: &touches, ..problem.clone() };
     let unseen: Option<Vec<Unseen>> =
         held.groups.iter().enumerate().map(|(height, group)| Unseen::of(&other, group, height, fit, seed)).collect();
     Some(gaps_of(&unseen?, fitted_gap(problem, fitted, fit)?))
+}
+
+/// Touches of heights that no fit saw, with how they are read there.
+pub fn as_read(problem: &LandingProblem, fit: &LandingFit, held: &Waves, touches: &ObservedLandings) -> Option<ObservedLandings> {
+    let waves = waves_of(problem, held);
+    let unread = LandingProblem { waves: &waves, observed: touches, ..problem.clone() };
+    Some(touches.with_errors(&unread.tables(&fit.legs)?, &fit.slopes))
 }
 
 /// Waves of other heights than the fitted ones; whitening is of these, and not asked for.

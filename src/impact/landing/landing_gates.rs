@@ -61,9 +61,10 @@ impl LandingAssessment {
         } else {
             ONE_HEIGHT.into()
         };
-        // A set that its own tests refuse is no explanation: it bars slopes only where it is nearer by more than the heights tell.
+        // A set that its own tests refuse is no explanation: it bars slopes only where it is nearer by more than the heights tell, as far as they tell
+        // that slopes come nearer than nothing at all.
         let is_refused = diagnosis.verdict == Verdict::NoneSuffices;
-        let beats = |best: f64| gaps.held_out_ci95_g.is_some_and(|[least, _]| is_refused && best >= least);
+        let beats = |best: f64| gaps.held_out_ci95_g.is_some_and(|[least, most]| is_refused && best >= least && most < base);
         let nearer = gaps.held_out.net_g < best || beats(best);
         Gate { id: "held_out", passed: gaps.held_out.net_g < base && nearer, found }
     }

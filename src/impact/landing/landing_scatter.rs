@@ -91,7 +91,7 @@ impl LandingScatter {
         waves: &Waves,
         seed: u64,
     ) -> Option<f64> {
-        let drawn = uncertainty.drawn(problem, fit, POPULATIONS, seed);
+        let drawn = uncertainty.drawn(problem, fit, POPULATIONS, seed)?;
         let sets = |(place, (legs, slopes)): (usize, &(Legs, Slopes))| -> Option<Vec<SpreadNumbers>> {
             let mut rng = Pcg64::new(u128::from(seed), 2 * place as u128);
             let simulated = simulated(problem, &problem.tables(legs)?, slopes, &mut rng)?;

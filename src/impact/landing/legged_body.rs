@@ -64,6 +64,11 @@ pub struct Slopes {
 }
 
 impl Slopes {
+    /// Whether one of both is none.
+    pub fn has_none(&self) -> bool {
+        self.rate_rad_s == 0.0 || self.at_release_rad == 0.0
+    }
+
     /// Standard deviation of the slope along a diagonal after a fall, rad.
     pub fn deviation_rad(&self, fall_s: f64) -> f64 {
         libm::hypot(self.rate_rad_s * fall_s, self.at_release_rad)

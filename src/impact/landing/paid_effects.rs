@@ -4,7 +4,7 @@
 use super::fit_step::SLOPES;
 use super::fitting::{LandingFit, LandingProblem, MOST_TURNS, ModelParts, ROUGH_SUM};
 use super::legged_body::fall;
-use super::parameter::{FEET, FEET_HZ, FRICTION_N, LEGS, MOUNT_ZETA, MOUNTS, MOUNTS_HZ, Parameter};
+use super::parameter::{FEET_HZ, FEET_START, FRICTION_N, LEGS, MOUNT_ZETA, MOUNTS, MOUNTS_HZ, Parameter};
 use super::score_sums::ScoreSums;
 use super::touched_slopes::TouchLikelihood;
 use crate::impact::diagnose::PRICE;
@@ -38,7 +38,7 @@ impl LandingProblem<'_> {
     pub fn fitted_with_feet_or_mount_if_they_pay(&self, without: &LandingFit) -> Option<(Self, LandingFit)> {
         let (slopes, feet) = (without.scaled.len() - SLOPES, LEGS + usize::from(self.parts.rubbing));
         let heavy = self.with(ModelParts { heavy_feet: true, ..self.parts });
-        let starts = FEET_HZ.map(|f_hz| [FEET[0], f_hz, FEET[1]].map(libm::log).to_vec());
+        let starts = FEET_HZ.map(|f_hz| [FEET_START[0], f_hz, FEET_START[1]].map(libm::log).to_vec());
         let heavy = heavy.begun_with(without, feet, &starts).map(|fit| (heavy, fit, feet..feet + starts[0].len()));
         let mounted = self.with(ModelParts { mounted: true, ..self.parts });
         let starts = MOUNTS_HZ.map(|f_hz| [f_hz, MOUNT_ZETA].map(libm::log).to_vec());

@@ -90,9 +90,9 @@ pub static PARAMETERS: [Parameter; 11] = [
     Parameter::new("c", "N s/m", [0.05, 1000.0], 0.02, 25.0, Kind::Leg).off_by(0.07),
     Parameter::new("inertia_kg_m2", "kg m2", [2e-5, 5e-2], 0.02, 1e-3, Kind::Leg).off_by(0.115),
     Parameter::new("f_c_n", "N", [0.0, 200.0], 1.0, 0.0, Kind::Friction),
-    Parameter::new("foot_share", "1", [0.01, 0.6], 0.05, FEET[0], Kind::Feet),
+    Parameter::new("foot_share", "1", [0.01, 0.6], 0.05, FEET_START[0], Kind::Feet),
     Parameter::new("foot_f_hz", "Hz", [50.0, 500.0], 0.02, 200.0, Kind::Feet),
-    Parameter::new("foot_zeta", "1", [0.002, 1.5], 0.1, FEET[1], Kind::Feet),
+    Parameter::new("foot_zeta", "1", [0.002, 1.5], 0.1, FEET_START[1], Kind::Feet),
     Parameter::new("f_hz", "Hz", [50.0, 1500.0], 0.02, 160.0, Kind::Mount),
     Parameter::new("zeta", "1", [0.02, 1.5], 0.02, MOUNT_ZETA, Kind::Mount),
     Parameter::new("sigma_r_rad_s", "rad/s", touched_slopes::BOUNDS[0], touched_slopes::STEPS[0], 0.0, Kind::Slope).off_by(0.06),
@@ -107,7 +107,7 @@ pub const LEGS: usize = 3;
 /// How many are the mount's, which stand just before the slopes.
 pub const MOUNTS: usize = 2;
 /// Share and damping ratio at which a fit with heavy feet begins.
-pub const FEET: [f64; 2] = [0.12, 0.1];
+pub const FEET_START: [f64; 2] = [0.12, 0.1];
 /// Frequencies at which it begins, Hz.
 pub const FEET_HZ: [f64; 2] = [150.0, 250.0];
 /// What the method is off of friction, and of damping beside it, as a share: the two resist alike, and in 48 synthetic sets with 50 N of friction

@@ -5,11 +5,11 @@ use nalgebra::DVector;
 use super::bell::Bell;
 use super::population::Population;
 use super::table::LandingTable;
-use super::touches::LegTouches;
+use super::touches::{LAST_S, LegTouches};
 use crate::impact::wide_registers::{Loops, with_wide_registers};
 
-/// Times that belong to no touch lie evenly within this, s.
-const STRAY_S: f64 = 15e-3;
+/// Times that belong to no touch lie evenly within this, s: touches are looked for as long.
+const STRAY_S: f64 = LAST_S;
 /// A spike of this size is as often a stray as not, g.
 const STRAY_G: f64 = 15.0;
 /// Part of the largest spikes that are strays.
@@ -56,7 +56,7 @@ fn weights_given_touches(table: &LandingTable, population: &Population, touches:
 }
 
 /// The likelihood of touch times at each of a table's landings, 1/s³: each foot's time was read with a normal error of `read_s`, or belongs to no
-/// touch.
+/// touch. A foot that touches later than is looked for has no other time than one of those.
 pub fn likelihoods(table: &LandingTable, touches: &LegTouches, read_s: f64) -> DVector<f64> {
     let mut weights = DVector::from_element(table.delays_s.len(), 1.0);
     weigh(&mut weights, table, touches, read_s);
@@ -97,7 +97,8 @@ impl Weighing<'_> {
         let mut product = 1.0;
         for (foot, delay_s) in delays_s.iter().enumerate() {
             let off = (self.seen_s[foot] - delay_s) * self.per_s;
-            product *= self.strays_1_s[foot] + self.heights_1_s[foot] * bell.at(off);
+            let read_1_s = self.strays_1_s[foot] + self.heights_1_s[foot] * bell.at(off);
+            product *= if *delay_s > STRAY_S { STRAY_S.recip() } else { read_1_s };
         }
         product
     }
@@ -153,6 +154,9 @@ mod tests {
             prop_assert_eq!((sum, &wide), (narrow_sum, &narrow));
             for ((weight, delays_s), found) in landings.iter().zip(&wide) {
                 let each = |foot: usize| {
+                    if delays_s[foot] > STRAY_S {
+                        return 1.0 / STRAY_S;
+                    }
                     let off = (seen_s[foot] - delays_s[foot]) / read_s;
                     stray[foot] / STRAY_S + (1.0 - stray[foot]) * height_1_s * libm::exp(-0.5 * off * off)
                 };

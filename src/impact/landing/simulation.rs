@@ -14,14 +14,12 @@
 
 use super::foot_mode::{FootForces, FootMode};
 use super::legged_body::{LeggedBody, Legs};
+use crate::impact::effects::TURN_M_S;
 use crate::impact::wide_registers::{Loops, with_wide_registers};
 use crate::units::GRAVITY_M_S2;
 
 /// Time between the points of a wave, s.
 pub use crate::impact::fit::FINE_S as STEP_S;
-
-/// Speed over which friction changes its sign, m/s.
-const TURN_M_S: f64 = 0.05;
 
 /// A foot that comes down slower than this has its touch spread over as long a way, m/s.
 const SLOW_M_S: f64 = 1e-3;

@@ -17,7 +17,7 @@ use super::touches::LegTouches;
 /// Readings of each slope's landing.
 pub const READINGS: usize = 8;
 /// Slopes less frequent than this are read as they are.
-const RARE: f64 = 1e-7;
+const INFREQUENT: f64 = 1e-7;
 /// The golden section: places that are so far apart come out most evenly.
 const GOLDEN: f64 = 0.618_033_988_749_895;
 /// Standard deviations of a normal law to its median deviation.
@@ -46,7 +46,7 @@ impl TouchErrors {
             let way = place * stride % ways;
             Some((sorted[way / 2].read(*delays_s, way % 2 == 1)?, *delays_s))
         };
-        let is_frequent = |delays_s: &[f64; 3], weight: f64| weight >= RARE && delays_s.iter().all(|delay_s| *delay_s < NEVER_S);
+        let is_frequent = |delays_s: &[f64; 3], weight: f64| weight >= INFREQUENT && delays_s.iter().all(|delay_s| *delay_s < NEVER_S);
         let landings: Vec<(&[f64; 3], f64)> = table.delays_s.iter().zip(weights.iter().copied()).collect();
         let readings_of = |(point, (delays_s, weight)): (usize, &(&[f64; 3], f64))| -> [Option<Reading>; READINGS] {
             let exact = (LegTouches::exact(**delays_s), **delays_s);

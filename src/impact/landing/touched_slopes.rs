@@ -29,6 +29,8 @@ const SETTLED: f64 = 1e-4;
 const FINE: f64 = 0.02;
 /// 95 % quantile of chi squared with one degree of freedom.
 const CHI_SQUARED_95: f64 = 3.84;
+/// Slopes at release, beside none, whose likelihoods are compared.
+const BESIDE: usize = 8;
 /// Halvings of an interval that is searched, and of a step that does not lower the deviance.
 const HALVINGS: usize = 8;
 
@@ -97,15 +99,45 @@ impl<'a> TouchLikelihood<'a> {
     /// The largest value of a number of the slopes, rad/s or rad, that the touch times allow: with it and the other number free the deviance
     /// is by 3.84, the 95 % quantile of chi squared, above that without.
     pub fn most(&self, number: SlopeNumber) -> f64 {
-        let (held_at, free_at) = if number == SlopeNumber::Rate { (0, 1) } else { (1, 0) };
-        let deviance = |held: f64| self.most_likely(free_at..free_at + 1, |values| number.held(held, values[0])).deviance;
-        let limit = deviance(0.0) + CHI_SQUARED_95;
-        let [mut low, mut high] = BOUNDS[held_at];
+        let limit = self.with(number, 0.0).deviance + CHI_SQUARED_95;
+        let [mut low, mut high] = BOUNDS[number as usize];
         for _ in 0..HALVINGS {
             let middle = 0.5 * (low + high);
-            if deviance(middle) > limit { high = middle } else { low = middle }
+            if self.with(number, middle).deviance > limit { high = middle } else { low = middle }
         }
         low
+    }
+
+    /// The smallest value of a number of the slopes, rad/s or rad, that the touch times allow, below one that they do: with it and the other number
+    /// free the deviance is by 3.84 above the least one.
+    pub fn least(&self, number: SlopeNumber, allowed: f64) -> f64 {
+        let limit = self.slopes(true).deviance + CHI_SQUARED_95;
+        let allows = |value: f64| self.with(number, value).deviance <= limit;
+        if allows(0.0) {
+            return 0.0;
+        }
+        let [mut low, mut high] = [0.0, allowed];
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            if allows(middle) { high = middle } else { low = middle }
+        }
+        high
+    }
+
+    /// Slopes at release that may be the true ones, none of them first, each with the turning rate that is likeliest beside it, and how likely both
+    /// are beside the likeliest.
+    pub fn beside_slopes_at_release(&self) -> Vec<(Slopes, f64)> {
+        let most = self.most(SlopeNumber::AtRelease);
+        let place = |at: usize| self.with(SlopeNumber::AtRelease, most * at as f64 / BESIDE as f64);
+        let all: Vec<TouchedSlopes> = (0..=BESIDE).map(place).collect();
+        let least = all.iter().map(|one| one.deviance).fold(f64::INFINITY, f64::min);
+        all.into_iter().map(|one| (one.slopes, libm::exp(0.5 * (least - one.deviance)))).collect()
+    }
+
+    /// The most likely slopes with one of their numbers held.
+    fn with(&self, number: SlopeNumber, held: f64) -> TouchedSlopes {
+        let free_at = if number == SlopeNumber::Rate { 1 } else { 0 };
+        self.most_likely(free_at..free_at + 1, |values| number.held(held, values[0]))
     }
 
     /// How much likelier the touch times are with a turning rate for each height than with slopes for all: the fall of the deviance.
@@ -122,7 +154,7 @@ impl<'a> TouchLikelihood<'a> {
     fn most_likely(&self, free: std::ops::Range<usize>, slopes: impl Fn(&[f64]) -> Slopes) -> TouchedSlopes {
         let (bounds, steps) = (&BOUNDS[free.clone()], &STEPS[free]);
         let deviance = |values: &[f64]| self.deviance(&slopes(values));
-        let begins = tried(bounds).chain([vec![0.0; bounds.len()]]).map(|values| (deviance(&values), values));
+        let begins = tried(bounds).map(|values| (deviance(&values), values));
         let best = |a: (f64, Vec<f64>), b: (f64, Vec<f64>)| if b.0 < a.0 { b } else { a };
         let (mut least, mut at) = begins.fold((f64::INFINITY, Vec::new()), best);
         for _ in 0..MOST_STEPS {
@@ -143,6 +175,15 @@ impl<'a> TouchLikelihood<'a> {
                 break;
             }
         }
+        // A number so small that the touch times cannot tell it from none is none.
+        for number in 0..at.len() {
+            let mut without = at.clone();
+            without[number] = 0.0;
+            let deviance = deviance(&without);
+            if at[number] < steps[number] && deviance < least + SETTLED {
+                (least, at) = (deviance, without);
+            }
+        }
         TouchedSlopes { slopes: slopes(&at), deviance: least }
     }
 
@@ -161,11 +202,13 @@ impl<'a> TouchLikelihood<'a> {
     }
 }
 
-/// Where a fit may begin: denser towards zero; of two numbers each with each.
+/// Where a fit may begin: at none, and denser towards it; of two numbers each with each.
 fn tried(bounds: &[[f64; 2]]) -> impl Iterator<Item = Vec<f64>> {
-    let count = TRIED[bounds.len() - 1];
+    let between = TRIED[bounds.len() - 1];
+    let count = between + 1;
     let places = count.pow(bounds.len() as u32);
-    let value = move |[low, high]: &[f64; 2], step: usize| low + (high - low) * ((step as f64 + 0.5) / count as f64).powi(2);
+    let share = move |step: usize| step.checked_sub(1).map_or(0.0, |step| ((step as f64 + 0.5) / between as f64).powi(2));
+    let value = move |[low, high]: &[f64; 2], step: usize| low + (high - low) * share(step);
     let bounds = bounds.to_vec();
     (0..places).map(move |place| bounds.iter().enumerate().map(|(at, bound)| value(bound, place / count.pow(at as u32) % count)).collect())
 }

@@ -38,8 +38,8 @@ impl FitUncertainty {
 
     /// The parameters with 95 % intervals.
     ///
-    /// A number of the slopes that is zero has the interval that the touch times allow. Wrong where the fit is far from linear within the
-    /// interval, or a height has few drops.
+    /// A number of the slopes that is zero has the interval that the touch times allow, and the other one reaches as far down as they allow beside it: what
+    /// turns on the way is hardly told from what sloped at release. Wrong where the fit is far from linear within the interval, or a height has few drops.
     pub fn estimates(&self, problem: &LandingProblem, fit: &LandingFit) -> Option<Vec<EffectEstimate>> {
         let parameters = problem.parameters();
         let first_slope = parameters.len() - SLOPES;
@@ -53,11 +53,12 @@ impl FitUncertainty {
             };
             let (scaled, value) = (fit.scaled[at], parameter.outward(fit.scaled[at]));
             let spread = Spread::middle(self.changes.iter().map(|change| change[at]), 0.95).unwrap_or([0.0; 2]);
-            let [low, mut high] = Parameter::with_method(spread, parameter.method_at(scaled, problem.parts.rubbing))
+            let [mut low, mut high] = Parameter::with_method(spread, parameter.method_at(scaled, problem.parts.rubbing))
                 .map(|change| parameter.outward(scaled + change).clamp(parameter.bounds[0], parameter.bounds[1]));
-            if parameter.kind == Kind::Slope && value == 0.0 {
-                let tables = problem.tables(&fit.legs)?;
-                high = TouchLikelihood::of(&problem.heights(), &tables)?.most(SlopeNumber::ALL[at - first_slope]);
+            if parameter.kind == Kind::Slope && fit.slopes.has_none() {
+                let (tables, number) = (problem.tables(&fit.legs)?, SlopeNumber::ALL[at - first_slope]);
+                let likelihood = TouchLikelihood::of(&problem.heights(), &tables)?;
+                [low, high] = if value == 0.0 { [low, likelihood.most(number)] } else { [low.min(likelihood.least(number, value)), high] };
             }
             // Slopes may well be none.
             let at_bound = fit.at_bound[at] && (parameter.kind != Kind::Slope || value > 0.5 * parameter.bounds[1]);
@@ -66,9 +67,18 @@ impl FitUncertainty {
         Some(estimates)
     }
 
-    /// Legs and slopes that may be the true ones: a number of them, as frequent as they are likely.
-    pub fn drawn(&self, problem: &LandingProblem, fit: &LandingFit, count: usize, seed: u64) -> Vec<(Legs, Slopes)> {
+    /// Legs and slopes that may be the true ones: a number of them, as frequent as they are likely. Beside slopes at release that may be the true ones
+    /// landings turn less on the way. `None` where a landing is lost.
+    pub fn drawn(&self, problem: &LandingProblem, fit: &LandingFit, count: usize, seed: u64) -> Option<Vec<(Legs, Slopes)>> {
         let mut rng = Pcg64::new(u128::from(seed), 3);
+        let beside = if fit.slopes.at_release_rad == 0.0 {
+            let tables = problem.tables(&fit.legs)?;
+            TouchLikelihood::of(&problem.heights(), &tables)?.beside_slopes_at_release()
+        } else {
+            Vec::new()
+        };
+        let mut chosen = Pcg64::new(u128::from(seed), 5);
+        let beside_release = |(legs, slopes): (Legs, Slopes)| (legs, released(&beside, slopes, &mut chosen));
         let (parameters, bounds) = (problem.parameters(), problem.bounds());
         let one = |change: &DVector<f64>| {
             let number = |(at, scaled): (usize, &f64)| {
@@ -78,8 +88,22 @@ impl FitUncertainty {
             };
             problem.meaning(&fit.scaled.iter().enumerate().map(number).collect::<Vec<f64>>())
         };
-        self.changes.iter().take(count).map(one).collect()
+        Some(self.changes.iter().take(count).map(one).map(beside_release).collect())
     }
+}
+
+/// Slopes with a slope at release that is drawn as it is likely, and a turning rate that is less by as much as the likeliest one beside it is.
+fn released(beside: &[(Slopes, f64)], slopes: Slopes, rng: &mut Pcg64) -> Slopes {
+    let Some((none, _)) = beside.first().filter(|(none, _)| none.rate_rad_s > 0.0) else { return slopes };
+    let all: f64 = beside.iter().map(|(_, weight)| weight).sum();
+    let mut left = rng.random_range(0.0..all);
+    let place = beside.iter().position(|(_, weight)| {
+        left -= weight;
+        left <= 0.0
+    });
+    let (drawn, _) = beside[place.unwrap_or(0)];
+    let share = drawn.rate_rad_s / none.rate_rad_s;
+    Slopes { rate_rad_s: share * slopes.rate_rad_s, at_release_rad: drawn.at_release_rad }
 }
 
 /// How what is left of the drops, and how often each drop's touch times count, changes when drops are drawn with replacement.

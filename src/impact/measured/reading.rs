@@ -166,7 +166,7 @@ mod tests {
         let files = [
             file(1, 3.12),
             file(2, 4.45),
-            file(3, 3.14),
+            file(3, 3.15),
             file(4, 4.41),
             ("5.csv".into(), b"trial,height_m,t_s,accel_g\n5,0.5,0,0\n".to_vec()),
         ];

@@ -30,6 +30,9 @@ pub(super) struct Header {
 
 impl Header {
     /// Reads the names. `labelled`: the file's own place says trial and height where the table does not.
+    ///
+    /// # Errors
+    /// When a column lacks that is needed or named, when one stands there twice, or the names are no text.
     pub fn of(record: &csv::ByteRecord, format: &TableFormat, labelled: bool) -> Result<Self, Fault> {
         let names: Vec<String> = record.iter().map(|name| String::from_utf8_lossy(name).trim().trim_matches('"').to_string()).collect();
         let wanted = Quantity::ALL.map(|(quantity, ..)| format.name(quantity).0);

@@ -41,8 +41,8 @@ pub struct DiagnosisRequest<'a> {
 /// Why there is no diagnosis.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum RequestError {
-    /// Not 1 to 3 effects.
-    #[error("--max-effects {0} is out of bounds: give 1, 2 or 3")]
+    /// Fewer than one effect, or more than [`MOST_EFFECTS`].
+    #[error("--max-effects {0} is out of bounds: give 1 to {MOST_EFFECTS}")]
     MostEffects(usize),
     /// The drops cannot be compared with the model.
     #[error(transparent)]

@@ -14,7 +14,7 @@ pub use fault::{Fault, hanging, needs_support};
 pub use footing::Footing;
 pub use process::Process;
 pub use unsupported::Hanging;
-pub use walls::{Thin, Walls};
+pub use walls::{AREA_MM2, Thin, Walls};
 
 #[cfg(test)]
 mod tests;

@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::solid::{CutPlane, Mesh};
 
-/// Surface that must be thin before a wall is, mm².
+/// Surface that must be thin before a wall, or a floor, is, mm².
 pub const AREA_MM2: f64 = 0.5;
 /// Least cosine between the directions of opposite facets: 10°. What narrows faster is a wedge, whose edge is thin by nature.
 const OPPOSITE: f64 = 0.985;

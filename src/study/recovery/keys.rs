@@ -11,6 +11,7 @@ use crate::params::files::Files;
 use crate::params::refusal::Refusal;
 use crate::params::{ImpactFile, LoadError};
 use crate::study::plan_keys::{KINDS, PlanKey, Takes, each_once, impossible, named, only_known, plan_key, whole, wholes};
+use crate::study::sampling::MOST_ROWS;
 
 /// The model that is diagnosed.
 const BASE: &str = "paper";
@@ -29,8 +30,6 @@ const RATES_RAD_S: [f64; 3] = [0.15, 0.25, 0.4];
 const RATE_RAD_S: [f64; 2] = [0.001, 3.0];
 /// Bounds of the ideal observer's gain.
 const CEILING_GAIN: [f64; 2] = [1.0, 100.0];
-/// Most rows.
-const MOST_ROWS: usize = 1_000_000;
 
 /// Keys of the seeds, in the order in which rows are made.
 const SEEDS: [PlanKey; 8] = [
