@@ -93,6 +93,20 @@ fn planted_landings_on_one_foot_are_found_with_their_turning_rate() {
     }
 }
 
+/// Landings that slope at release as well, by too little to be told from what turns on the way: the interval has room for it.
+#[test]
+fn planted_a_turning_rate_beside_a_slope_at_release_lies_in_its_interval() {
+    for seed in [41, 42] {
+        let plan = plan(Landings { rate_rad_s: 0.2, at_release_rad: 0.08, ..LEVEL }, seed);
+        let (verdict, compared) = diagnosed(&plan, &read(&records(&plan)));
+        let landing = compared.landing.expect("lateral axes were measured");
+        let [rate, release] = ["sigma_r_rad_s", "sigma_0_rad"].map(|key| estimate(&landing, key));
+        let holds = |found: &EffectEstimate, truth: f64| (found.ci95[0]..=found.ci95[1]).contains(&truth);
+        assert!(holds(&rate, 0.2) && holds(&release, 0.08), "{seed}: {verdict}\n{rate:?}\n{release:?}");
+        assert!(rate.ci95[1] < 0.4, "{rate:?}");
+    }
+}
+
 /// As the real drops are: legs with dry friction, and feet with mass of their own, 15 % of the whole, at 250 Hz.
 #[test]
 fn planted_friction_of_legs_and_mass_of_feet_are_named_beside_the_slopes() {
