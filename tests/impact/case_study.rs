@@ -50,7 +50,7 @@ fn measured_drops_are_diagnosed_without_falling_for_their_traps() {
     // Given each drop's own touches, landings on one foot leave less than that mean wave does: 20.2 g is the aim.
     let given = &study.landing.gaps.given_touches;
     assert!(given.records_g < study.landing.gaps.held_out.template_g && given.records_g <= 20.2, "{given:?}");
-    // 3.5 g is the aim, and is missed: 4.32 measured, and 4.58 (a bound of 4.8) with the sensor's zero in the waves. It was 4.24, with a bound of 4.5,
+    // 3.5 g is the aim, and is missed: 4.39 measured (4.32 before late touches were told), and 4.58 (a bound of 4.8) with the sensor's zero in the waves. It was 4.24, with a bound of 4.5,
     // while slopes were fitted to quartiles of touch times, which missed the mean wave below by 2 g more; and 3.29, with a bound of 3.55, while the drops
     // from 150 cm were among those from which it was learned what touches look like.
     assert!(given.net_g <= 4.5, "the mean of what is left: {given:?}");
