@@ -102,7 +102,7 @@ fn planted_a_turning_rate_beside_a_slope_at_release_lies_in_its_interval() {
         let landing = compared.landing.expect("lateral axes were measured");
         let [rate, release] = ["sigma_r_rad_s", "sigma_0_rad"].map(|key| estimate(&landing, key));
         let holds = |found: &EffectEstimate, truth: f64| (found.ci95[0]..=found.ci95[1]).contains(&truth);
-        assert!(holds(&rate, 0.2) && holds(&release, 0.08), "{seed}: {verdict}\n{rate:?}\n{release:?}");
+        assert!(holds(rate, 0.2) && holds(release, 0.08), "{seed}: {verdict}\n{rate:?}\n{release:?}");
         assert!(rate.ci95[1] < 0.4, "{rate:?}");
     }
 }
