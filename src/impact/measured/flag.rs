@@ -19,12 +19,24 @@ const LEAST_AFTER_S: f64 = 0.02;
 /// Equal samples in a row, at the top of the impact, that count as clipping: at least so many, and so long, s.
 const FLAT: usize = 3;
 const FLAT_S: f64 = 0.0015;
+/// Whether what passes the trigger first is weak and ends at once.
+fn is_jolt(record: &Record, impact: &Impact) -> bool {
+    let first = impact.trigger + 1;
+    let end = (first..record.len()).find(|sample| record.size_g(*sample) <= TRIGGER_G);
+    let is_weak = |end: usize| (first..end).all(|sample| record.size_g(sample) < JOLT_G);
+    end.is_some_and(|end| record.t_s[end] - record.t_s[first] <= JOLT_S && is_weak(end))
+}
+
 /// Impulse over v0 that a vertical drop has at least: 1, with room for variation.
 const LEAST_OVER_V0: f64 = 0.8;
 /// What it has at the most without its weight: 2 with full restitution.
 const MOST_OVER_V0: f64 = 2.0;
 /// A peak that is so much later than the trigger is that of another drop, ms: a rebound from some metres has ended.
 const OTHER_DROP_MS: f64 = 2e3;
+/// Readings beyond the trigger that end within this, s, and stay below this, g, are no hit: choices. Hits of frames last longer, or are harder.
+const JOLT_S: f64 = 0.003;
+const JOLT_G: f64 = 10.0;
+const JOLT: &str = ". Before the fall a reading is above 3 g, as where the frame is taken up or let go: cut the begin of the recording off";
 const OTHER_DROP: &str = ". It is of another drop: a trial is one drop, so cut the recording into its drops";
 /// Readings that differ by less are the same, but for the rounding of their conversion, g.
 const LEAST_STEP_G: f64 = 1e-6;
@@ -46,11 +58,17 @@ pub enum Flag {
     /// The largest acceleration is not that of the first hit.
     #[error(
         "double hit: the peak comes {to_peak_ms:.0} ms after the trigger, later than 25 ms{}",
-        if *.to_peak_ms > OTHER_DROP_MS { OTHER_DROP } else { "" }
+        match () {
+            () if *.is_jolt => JOLT,
+            () if *.to_peak_ms > OTHER_DROP_MS => OTHER_DROP,
+            () => "",
+        }
     )]
     DoubleHit {
         /// When.
         to_peak_ms: f64,
+        /// Whether what passes the trigger first is no hit, as where the frame is taken up or let go.
+        is_jolt: bool,
     },
     /// The converter was at its end, or the top is clipped.
     #[error("saturation: {samples} sample{} at {level_g:.1} g", if *samples == 1 { "" } else { "s" })]
@@ -125,7 +143,7 @@ pub fn flags(record: &Record, impact: Option<&Impact>, signs: Vec<ClockSign>) ->
         flags.push(Flag::TooShort { before: impact.trigger, after_ms: after_s * 1e3 });
     }
     if !stalled && impact.to_peak_s > WINDOW_S + 1e-6 {
-        flags.push(Flag::DoubleHit { to_peak_ms: impact.to_peak_s * 1e3 });
+        flags.push(Flag::DoubleHit { to_peak_ms: impact.to_peak_s * 1e3, is_jolt: is_jolt(record, impact) });
     }
     flags.extend(saturation(record, impact));
     let over_v0 = impact.impulse_over_v0(record.height_m);
@@ -220,5 +238,21 @@ mod tests {
         let [rebound, other] = [300, 3000].map(|second_ms| said(20, second_ms, 3100).join("; "));
         assert!(rebound.starts_with("double hit: the peak comes 30") && !rebound.contains("cut the recording"), "{rebound}");
         assert!(other.starts_with("double hit: the peak comes 300") && other.contains("cut the recording into its drops"), "{other}");
+    }
+
+    #[test]
+    fn planted_a_jolt_before_the_fall_is_to_be_cut_off() {
+        let reading = |at: u32| match at {
+            5 => 3.5,
+            350..360 => 48.0 * libm::sin(0.1 * std::f64::consts::PI * (f64::from(at - 350) + 0.5)),
+            0..40 => 1.0,
+            _ => 0.0,
+        };
+        let rows: String = (0..420).map(|at| format!("1,0.5,{},{}\n", f64::from(at) * 1e-3, reading(at))).collect();
+        let set =
+            read_bytes(&[("a.csv".into(), format!("trial,height_m,t_s,accel_g\n{rows}").into())], &FileFormat::default()).expect("reads");
+        let record = set.records().next().expect("there is one");
+        let said = flags(record, Impact::of(record).as_ref(), Vec::new()).iter().map(ToString::to_string).collect::<Vec<_>>().join("; ");
+        assert!(said.starts_with("double hit: the peak comes 35") && said.contains("cut the begin of the recording off"), "{said}");
     }
 }

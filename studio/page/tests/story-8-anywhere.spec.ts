@@ -26,6 +26,7 @@ test("what is kept for that is of one version, asked for past the browser's own 
   /** Installs with the files as they are served, one of them as another version has it. */
   const installed = async (other: string | null) => {
     const [kept, modes]: [string[], Set<string>] = [[], new Set()];
+    let name = "";
     let install: ((event: object) => void) | undefined;
     const listen = (type: string, on: (event: object) => void) => type === "install" && (install = on);
     const ask = async ({ url, cache }: { url: string; cache: string }) => {
@@ -34,8 +35,13 @@ test("what is kept for that is of one version, asked for past the browser's own 
       return new Response(url === other ? "another" : new Uint8Array(body));
     };
     runInNewContext(source, {
-      self: { addEventListener: listen },
-      caches: { open: () => Promise.resolve({ put: (file: string) => Promise.resolve(void kept.push(file)) }) },
+      self: { addEventListener: listen, registration: { scope: baseURL } },
+      caches: {
+        open: (opened: string) => {
+          name = opened;
+          return Promise.resolve({ put: (file: string) => Promise.resolve(void kept.push(file)) });
+        },
+      },
       Request: class {
         readonly cache: string;
         constructor(
@@ -55,13 +61,15 @@ test("what is kept for that is of one version, asked for past the browser's own 
       () => null,
       (error: Error) => error.message,
     );
-    return { kept, failure, modes: [...modes] };
+    return { kept, name, failure, modes: [...modes] };
   };
   const whole = await installed(null);
   expect(whole.failure, baseURL).toBeNull();
   expect(whole.kept).toContain("./");
   expect(whole.kept).toContain("engine/engine.wasm");
   expect(whole.modes).toEqual(["no-cache"]);
+  // Another studio of this origin has caches of its own.
+  expect(whole.name).toContain(`studio ${baseURL} `);
   for (const other of ["./", "engine/engine.wasm"])
     expect(await installed(other)).toMatchObject({ kept: [], failure: `${other} is not the file of this version` });
 });
