@@ -1,5 +1,6 @@
 //! The documentation says what the program does: the generated page, the examples, the figures, the links, the index pages.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -134,6 +135,23 @@ fn inertia_rows(frame: &serde_json::Value) -> String {
         format!("| {} | {} | {} | {} |", ["X", "Y", "Z"][axis], grouped(&of[0]), grouped(&of[1]), grouped(&of[2]))
     };
     [0, 1, 2].map(row).join(" ")
+}
+
+/// The table of libraries in the page on the architecture has those that `Cargo.toml` asks for, and no others.
+#[test]
+fn regress_the_page_on_the_architecture_names_every_library() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let text = |name: &str| fs::read_to_string(root.join(name)).expect("UTF-8");
+    let manifest: toml::Table = text("Cargo.toml").parse().expect("TOML");
+    let names = |table: &toml::Value| table.as_table().expect("a table").keys().cloned().collect::<Vec<_>>();
+    let targets = manifest["target"].as_table().expect("a table").values().flat_map(|target| names(&target["dependencies"]));
+    let asked: BTreeSet<String> = names(&manifest["dependencies"]).into_iter().chain(targets).collect();
+    let page = text("docs/architecture.md");
+    let (_, table) = page.split_once("## Dependencies").expect("is there");
+    let rows = table.split("\n## ").next().expect("a section").lines().filter_map(|line| line.strip_prefix("| ")?.split(" | ").next());
+    let stated = rows.flat_map(|row| row.split(", ")).map(|name| name.split(' ').next().unwrap_or_default().to_string());
+    let stated: BTreeSet<String> = stated.filter(|name| name != "crate").collect();
+    assert_eq!(stated, asked);
 }
 
 /// Every file of tests has a line in the page on testing.
