@@ -237,6 +237,7 @@ pub static MOUNTS: [Mount; 33] = [
         title: "Computer onto its carrier",
         text: "Where the computer has no pins, solder its pin header in first, or the leads of its cable, and put its memory card in. Lay washers on each of the carrier's four holes, together a little thicker than a tie's strap: two of the ties pass between board and carrier. A drop of glue holds them. Put these two in now, one down through the hole in front and one through that at the rear, their heads outside of the carrier: under the board no tie can be threaded. Lay the computer on the washers, hole over hole{camera_socket}. {computer_screws}",
         tools: &[Tool::Washers, Tool::TwoTies, Tool::Glue, Tool::Screwdriver, Tool::SolderingIron, Tool::Solder],
+        minutes: 10.0,
         ..GLUED
     },
     Mount {
