@@ -475,7 +475,7 @@ mod tests {
         let rows = |trial: u32, samples: u32, late: [u32; 2]| -> String {
             let row = |sample: u32| {
                 let moved = late.iter().filter(|from| sample >= **from).count() as f64;
-                let t_s = (f64::from(sample) + 0.45 * moved) / 450.0;
+                let t_s = (f64::from(sample) + 0.45 * moved) / 440.0;
                 let push_g = if (20..25).contains(&sample) {
                     45.0 * libm::sin(0.2 * std::f64::consts::PI * (f64::from(sample - 20) + 0.5))
                 } else {
@@ -493,7 +493,7 @@ mod tests {
         let chosen = Chosen::of(&set, Channel::Axial, Keep::Evidence).expect("four are good");
         let reasons: Vec<&str> = chosen.left_out.iter().map(|out| &out.reason[..]).collect();
         let [slow, short] = reasons[..] else { panic!("{reasons:?}") };
-        assert!(slow.starts_with("sampled every 2.2561") && slow.contains("on average"), "{slow}");
+        assert!(slow.starts_with("sampled every 2.3074") && slow.contains("on average"), "{slow}");
         assert_eq!(short, "too short: 9 samples to compare from first touch on, 10 are needed");
         assert_eq!((chosen.waves().expect("are aligned").count(), chosen.early_end()), (4, None));
     }

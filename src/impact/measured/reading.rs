@@ -172,7 +172,7 @@ mod tests {
         ];
         let set = read_bytes(&files, &FileFormat::default()).expect("reads");
         let groups: Vec<(f64, usize)> = set.groups.iter().map(|group| (group.height_m, group.records.len())).collect();
-        assert_eq!(groups, [(0.499, 2), (0.5, 1), (1.0, 2)]);
+        assert_eq!(groups, [(0.5, 1), (0.501, 2), (1.0, 2)]);
     }
 
     #[test]

@@ -44,7 +44,7 @@ impl Header {
         let is_named = |quantity: Quantity| format.columns.iter().any(|column| column.quantity == quantity);
         let speed = place(Quantity::Speed);
         // Whoever names the column of speeds means them.
-        let height = place(Quantity::Height).filter(|_| speed.is_none() || !is_named(Quantity::Speed) || is_named(Quantity::Height));
+        let height = place(Quantity::Height).filter(|_| speed.is_none() || !is_named(Quantity::Speed));
         let axial = signed(Quantity::Axial).or_else(|| signed(Quantity::Z));
         let needed = [
             (&[Quantity::Trial][..], place(Quantity::Trial).is_some() || labelled),
