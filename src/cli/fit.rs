@@ -174,7 +174,7 @@ fn fitted(args: &Args, chosen: &Chosen, layout: &Layout) -> Result<(Fit, Option<
     }
 }
 
-/// Fewest drops a height of which a small p says that the model lacks an effect: with 5, one in eighteen of 180 true models had one, with 20 none of 60.
+/// Fewest drops a height of which a small p says that the model lacks an effect: with 5, 10 of 180 true models had one, about one in twenty, with 20 none of 60.
 const FEWEST: usize = 10;
 
 /// Drops of the height that has the fewest.

@@ -64,14 +64,7 @@ export function Checks() {
             : "Quick checks only; the others failed.")}
         {checking.value && ` ${checking.value.name} (${checking.value.done + 1} of ${checking.value.of})`}
       </p>
-      {checksFailure.value !== null && (
-        <p class="fault">
-          {checksFailure.value}{" "}
-          <button type="button" class="link" onClick={checkAgain}>
-            Check again
-          </button>
-        </p>
-      )}
+      <Failure words={checksFailure.value} />
       <Strength />
       <ul class={findingsAreCurrent.value ? "" : "old"}>
         {groups.value.map((group) => (
@@ -98,15 +91,21 @@ function Strength() {
         strength, too: a drop by the frame’s own mechanics
       </label>
       <span role="status">{state === "computing" && " – computing…"}</span>
-      {state === "failed" && strengthFailure.value !== null && (
-        <p class="fault">
-          {strengthFailure.value}{" "}
-          <button type="button" class="link" onClick={checkAgain}>
-            Check again
-          </button>
-        </p>
-      )}
+      {state === "failed" && <Failure words={strengthFailure.value} />}
     </div>
+  );
+}
+
+/** Why something could not be checked, if it could not. */
+function Failure({ words }: { words: string | null }) {
+  if (words === null) return null;
+  return (
+    <p class="fault">
+      {words}{" "}
+      <button type="button" class="link" onClick={checkAgain}>
+        Check again
+      </button>
+    </p>
   );
 }
 
