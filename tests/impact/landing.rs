@@ -208,7 +208,7 @@ fn looked_at<T>(plan: &Plan, look: impl FnOnce(LandingProblem, &LandingFit, &Wav
     let body = LeggedBody::of(&plan.model).expect("four legs");
     let plain = LandingProblem::plain(body, &plan.model, &prepared.problem, &touches);
     let rough = plain.fitted(None).expect("can be fitted");
-    let touches = touches.with_errors(&plain.tables(&rough.legs).expect("can be simulated"), &rough.slopes);
+    let touches = touches.with_errors(&plain.tables(&rough.legs, &rough.slopes).expect("can be simulated"), &rough.slopes);
     let problem = LandingProblem::plain(body, &plan.model, &prepared.problem, &touches);
     look(problem, &rough, &waves)
 }

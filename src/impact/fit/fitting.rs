@@ -5,7 +5,7 @@ use rand::SeedableRng;
 use rand_pcg::Pcg64;
 use rayon::prelude::*;
 
-use super::chosen::FitError;
+use super::fit_error::FitError;
 use super::free::Layout;
 use super::least_squares::{Minimum, inverse, minimise};
 use crate::impact::effects::Model;

@@ -15,9 +15,10 @@ use nalgebra::{DMatrix, DVector};
 use rand_distr::{Distribution, StandardNormal};
 use rand_pcg::Pcg64;
 
-use super::chosen::{Chosen, FitError};
+use super::chosen::Chosen;
 use super::covariance_model::{CovarianceModel, outer};
 use super::expected::Expected;
+use super::fit_error::FitError;
 use super::fitting::{Intervals, Objective};
 use super::free::Layout;
 use super::trial_covariance::{TrialCovariance, Whitening};

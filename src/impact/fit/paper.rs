@@ -9,7 +9,8 @@ use nalgebra::DVector;
 use rand::RngExt;
 use rand_pcg::Pcg64;
 
-use super::chosen::{Chosen, FitError};
+use super::chosen::Chosen;
+use super::fit_error::FitError;
 use super::fitting::{Intervals, Objective};
 use super::free::Layout;
 use crate::impact::effects::Model;

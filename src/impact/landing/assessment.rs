@@ -124,7 +124,7 @@ impl LandingAssessment {
         let gaps = LandingGaps { held_out_ci95_g, ..gaps };
         let estimates = uncertainty.estimates(&problem, &fit)?;
         let (slopes_steady_p, effects_steady_p) = (problem.slopes_steady_p(&fit)?, problem.effects_steady_p(&fit));
-        let tables = problem.tables(&fit.legs)?;
+        let tables = problem.tables(&fit.legs, &fit.slopes)?;
         let attitude = match known {
             Some(known) => known,
             None => {
@@ -304,7 +304,7 @@ fn covariates(fitted: &Waves, observed: &ObservedLandings, tables: &[LandingTabl
 /// The lowest and the highest height of all drops, and how many from each would tell whether slopes grow with the fall.
 fn separating(problem: &LandingProblem, observed: &ObservedLandings, fit: &LandingFit, seed: u64) -> Option<SeparatingDrops> {
     let heights_m = [observed.heights.first()?.height_m, observed.heights.last()?.height_m];
-    let table = |height_m: f64| LandingTable::of(&problem.body, &fit.legs, problem.model, &problem.waves.expected, height_m);
+    let table = |height_m: f64| LandingTable::of(&problem.body, &fit.legs, &fit.slopes, problem.model, &problem.waves.expected, height_m);
     let (low, high) = (table(heights_m[0])?, table(heights_m[1])?);
     Some(SeparatingDrops { heights_m, drops: drops_to_tell([&low, &high], &fit.slopes, problem.observed.read_s(), seed) })
 }

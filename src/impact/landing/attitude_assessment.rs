@@ -52,7 +52,7 @@ impl AttitudeAssessment {
         let unseen = held_out.map_or(Some(Vec::new()), |observed| {
             let other = LandingProblem { observed, ..problem.clone() };
             let one = |(at, height_m): (usize, f64)| {
-                let table = LandingTable::of(&problem.body, &fit.legs, problem.model, &problem.waves.expected, height_m)?;
+                let table = LandingTable::of(&problem.body, &fit.legs, &fit.slopes, problem.model, &problem.waves.expected, height_m)?;
                 readings(&other, at, &table)
             };
             observed.heights.iter().map(|height| height.height_m).enumerate().map(one).collect::<Option<_>>()

@@ -28,7 +28,7 @@ impl ChosenModel {
     pub fn of(plain: &LandingProblem, evidence: &LandingEvidence, held: Option<&(&Waves, ObservedLandings)>) -> Option<Self> {
         // How touches are read depends on the landings, and little on whether these are those of the last fit.
         let rough = plain.fitted(None)?;
-        let as_read = |fit: &LandingFit| Some(plain.observed.with_errors(&plain.tables(&fit.legs)?, &fit.slopes));
+        let as_read = |fit: &LandingFit| Some(plain.observed.with_errors(&plain.tables(&fit.legs, &fit.slopes)?, &fit.slopes));
         let of_rough = as_read(&rough)?;
         let (without, first) = LandingProblem { observed: &of_rough, ..plain.clone() }.fitted_with_release_if_it_pays(&rough)?;
         let rubbing = without.fitted_with_friction_if_it_pays(&first);

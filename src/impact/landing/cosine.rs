@@ -25,7 +25,7 @@ impl CosineSize {
 
     fn at(problem: &LandingProblem, table: &LandingTable, fit: &LandingFit, height_m: f64) -> Option<Self> {
         let expected = &problem.waves.expected;
-        let upright = LandingTable::along(SensorAxis::Vertical, &problem.body, &fit.legs, problem.model, expected, height_m)?;
+        let upright = LandingTable::along(SensorAxis::Vertical, &problem.body, &fit.legs, &fit.slopes, problem.model, expected, height_m)?;
         let [turned, upright] = [table, &upright].map(|table| Population::of(table, &fit.slopes).mean_window());
         let largest_g = (&upright - &turned).amax();
         Some(Self { height_m, peak_change: turned.max() / upright.max() - 1.0, largest_g })

@@ -12,6 +12,7 @@ use std::sync::Arc;
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
+use super::descent::Descent;
 use super::fit_step::SLOPES;
 use super::foot_mode::FootMode;
 use super::kept_tables::{KeptTables, TableKey};
@@ -128,12 +129,13 @@ impl LandingProblem<'_> {
         self.parameters().iter().map(|parameter| parameter.step).collect()
     }
 
-    /// The landings of the chosen heights.
-    pub fn tables(&self, legs: &Legs) -> Option<Arc<Vec<LandingTable>>> {
+    /// The landings of the chosen heights, of a population whose slopes spread so.
+    pub fn tables(&self, legs: &Legs, slopes: &Slopes) -> Option<Arc<Vec<LandingTable>>> {
         let expected = &self.waves.expected;
         let heights_m: Vec<f64> = self.waves.chosen.iter().map(|height| self.waves.means[*height].height_m).collect();
-        let key = TableKey { legs: *legs, heights_m: heights_m.clone(), expected: expected.clone() };
-        let table = |height_m: f64| LandingTable::of(&self.body, legs, self.model, expected, height_m);
+        let descents = heights_m.iter().map(|height_m| Descent::of(self.model, slopes, *height_m)).collect();
+        let key = TableKey { legs: *legs, descents, expected: expected.clone() };
+        let table = |height_m: f64| LandingTable::of(&self.body, legs, slopes, self.model, expected, height_m);
         self.kept.of(key, || heights_m.into_iter().map(table).collect())
     }
 
@@ -156,7 +158,7 @@ impl LandingProblem<'_> {
 
     /// Mean windows of the chosen heights, one below the other, g.
     pub fn mean_windows(&self, legs: &Legs, slopes: &Slopes) -> Option<DVector<f64>> {
-        let tables = self.tables(legs)?;
+        let tables = self.tables(legs, slopes)?;
         let parts: Vec<f64> =
             tables.iter().flat_map(|table| Population::of(table, slopes).mean_window().iter().copied().collect::<Vec<_>>()).collect();
         Some(DVector::from_vec(parts))
@@ -209,7 +211,8 @@ impl LandingProblem<'_> {
 
     /// The same legs with the slopes that the touch times show.
     fn with_touched_slopes(&self, scaled: &[f64]) -> Option<Vec<f64>> {
-        let tables = self.tables(&self.meaning(scaled).0)?;
+        let (legs, slopes) = self.meaning(scaled);
+        let tables = self.tables(&legs, &slopes)?;
         let Slopes { rate_rad_s, at_release_rad } = TouchLikelihood::of(&self.heights(), &tables)?.slopes(self.parts.at_release).slopes;
         Some([&scaled[..scaled.len() - SLOPES], &[rate_rad_s, at_release_rad]].concat())
     }
@@ -217,7 +220,7 @@ impl LandingProblem<'_> {
     /// What the predictions from their touches leave of all drops, one below the other, in units of their heights' waves.
     fn left_of_drops(&self, scaled: &[f64]) -> Option<DVector<f64>> {
         let (legs, slopes) = self.meaning(scaled);
-        let tables = self.tables(&legs)?;
+        let tables = self.tables(&legs, &slopes)?;
         let mut all = Vec::new();
         for (height, table) in self.waves.chosen.iter().zip(tables.iter()) {
             let unit_g = self.unit_g(*height);
@@ -266,7 +269,7 @@ impl LandingProblem<'_> {
     pub fn touch_scores(&self, fit: &LandingFit) -> Option<DMatrix<f64>> {
         let unlikely = |scaled: &[f64]| {
             let (legs, slopes) = self.meaning(scaled);
-            Some(-TouchLikelihood::of(&self.heights(), &self.tables(&legs)?)?.of_drops(&slopes))
+            Some(-TouchLikelihood::of(&self.heights(), &self.tables(&legs, &slopes)?)?.of_drops(&slopes))
         };
         Some(self.looked_at(unlikely, fit)?.jacobian)
     }

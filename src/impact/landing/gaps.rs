@@ -53,7 +53,7 @@ impl Unseen {
         let at = problem.waves.at(&[height]);
         let own = problem.at(&at);
         let predicted = own.mean_windows(&fit.legs, &fit.slopes)?.as_slice().to_vec();
-        let tables = own.tables(&fit.legs)?;
+        let tables = own.tables(&fit.legs, &fit.slopes)?;
         let left = own.left_by_drops(height, &tables[0], &fit.slopes);
         let population = Population::of(&tables[0], &fit.slopes);
         let landings = &problem.observed.heights[height];
@@ -158,7 +158,7 @@ pub fn held_out_gaps(
 pub fn as_read(problem: &LandingProblem, fit: &LandingFit, held: &Waves, touches: &ObservedLandings) -> Option<ObservedLandings> {
     let waves = waves_of(problem, held);
     let unread = LandingProblem { waves: &waves, observed: touches, ..problem.clone() };
-    Some(touches.with_errors(&unread.tables(&fit.legs)?, &fit.slopes))
+    Some(touches.with_errors(&unread.tables(&fit.legs, &fit.slopes)?, &fit.slopes))
 }
 
 /// Waves of other heights than the fitted ones; whitening is of these, and not asked for.

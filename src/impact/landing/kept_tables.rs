@@ -3,6 +3,7 @@
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, PoisonError};
 
+use super::descent::Descent;
 use super::legged_body::Legs;
 use super::table::LandingTable;
 use crate::impact::fit::Expected;
@@ -10,11 +11,11 @@ use crate::impact::fit::Expected;
 /// Legs whose landings are kept: those of a step of a fit, and of its difference quotients.
 const MOST_KEPT: usize = 16;
 
-/// What the landings of one body and one model depend on: the legs, the heights, m, and how records are read.
+/// What the landings of one body and one model depend on: the legs, how it comes down from each height, and how records are read.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct TableKey {
     pub legs: Legs,
-    pub heights_m: Vec<f64>,
+    pub descents: Vec<Descent>,
     pub expected: Expected,
 }
 

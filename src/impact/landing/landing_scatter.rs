@@ -11,6 +11,7 @@ use nalgebra::{DMatrix, DVector};
 use rand_pcg::Pcg64;
 use rayon::prelude::*;
 
+use super::descent::Descent;
 use super::fitting::{LandingFit, LandingProblem};
 use super::legged_body::{Legs, Slopes};
 use super::population::Population;
@@ -32,12 +33,13 @@ pub struct LandingScatter {
 impl LandingScatter {
     /// Of the fitted heights; `None` where a covariance is degenerate or a landing is lost.
     pub fn of(waves: &Waves, problem: &LandingProblem, fit: &LandingFit) -> Option<Self> {
-        let tables = problem.tables(&fit.legs)?;
+        let tables = problem.tables(&fit.legs, &fit.slopes)?;
         let mut known = Vec::new();
         for (group, table) in waves.groups.iter().zip(tables.iter()) {
             let population = Population::of(table, &fit.slopes);
             let expected = &problem.waves.expected;
-            let phase = phase_covariance(&problem.body, &fit.legs, problem.model, expected, group.height_m, population.weights())?;
+            let descent = Descent::of(problem.model, &fit.slopes, group.height_m);
+            let phase = phase_covariance(&problem.body, &fit.legs, descent, problem.model, expected, population.weights())?;
             known.push(population.covariance() + phase);
         }
         let trials = TrialCovariance::of(waves);
@@ -54,7 +56,8 @@ impl LandingScatter {
 
     /// Mean waves as they could have been measured: of drawn records.
     pub fn bootstrap(&self, problem: &LandingProblem, fit: &LandingFit, seed: u64) -> Option<Bootstrap> {
-        let simulated = simulated(problem, &problem.tables(&fit.legs)?, &fit.slopes, &mut Pcg64::new(u128::from(seed), 1 << 32))?;
+        let simulated =
+            simulated(problem, &problem.tables(&fit.legs, &fit.slopes)?, &fit.slopes, &mut Pcg64::new(u128::from(seed), 1 << 32))?;
         let expected: Vec<DVector<f64>> = simulated.iter().map(SimulatedDrops::mean).collect();
         let drawn = |number: usize| {
             let mut rng = Pcg64::new(u128::from(seed), 2 * number as u128 + 1);
@@ -94,7 +97,7 @@ impl LandingScatter {
         let drawn = uncertainty.drawn(problem, fit, POPULATIONS, seed)?;
         let sets = |(place, (legs, slopes)): (usize, &(Legs, Slopes))| -> Option<Vec<SpreadNumbers>> {
             let mut rng = Pcg64::new(u128::from(seed), 2 * place as u128);
-            let simulated = simulated(problem, &problem.tables(legs)?, slopes, &mut rng)?;
+            let simulated = simulated(problem, &problem.tables(legs, slopes)?, slopes, &mut rng)?;
             let mut height = |(drops, count): (&SimulatedDrops, &usize)| -> Vec<[f64; NUMBERS]> {
                 (0..*count).map(|_| numbers(drops.record(&mut rng).iter().copied())).collect()
             };

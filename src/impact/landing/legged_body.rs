@@ -2,7 +2,6 @@
 
 use super::foot_mode::FootMode;
 use super::mount::Mount;
-use crate::impact::effects::Fall;
 use crate::impact::effects::Model;
 
 /// From the hub's axis to a foot of CogniFly v8, m. Source: its parts as measured; 0.14 m to the middle of the foot's contact.
@@ -73,10 +72,11 @@ impl Slopes {
     pub fn deviation_rad(&self, fall_s: f64) -> f64 {
         libm::hypot(self.rate_rad_s * fall_s, self.at_release_rad)
     }
-}
 
-/// Speed at first touch, m/s, and how long the fall took, s, of a fall from the stated height.
-pub(super) fn fall(model: &Model, height_m: f64) -> [f64; 2] {
-    let fall: Fall = model.arrangement().fall;
-    [fall.impact_speed_m_s(height_m), fall.duration_s(height_m)]
+    /// Turning rate over slope, 1/s, of landings after a fall: the mean of those that have the same slope. Where no slopes are known, they have grown
+    /// while the body fell.
+    pub fn turning_1_s(&self, fall_s: f64) -> f64 {
+        let share = self.rate_rad_s * fall_s / self.deviation_rad(fall_s);
+        if share.is_nan() { 1.0 / fall_s } else { share * share / fall_s }
+    }
 }

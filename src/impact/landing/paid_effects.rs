@@ -3,7 +3,6 @@
 
 use super::fit_step::SLOPES;
 use super::fitting::{LandingFit, LandingProblem, MOST_TURNS, ModelParts, ROUGH_SUM};
-use super::legged_body::fall;
 use super::parameter::{FEET_HZ, FEET_START, FRICTION_N, LEGS, MOUNT_ZETA, MOUNTS, MOUNTS_HZ, Parameter};
 use super::score_sums::ScoreSums;
 use super::touched_slopes::TouchLikelihood;
@@ -15,7 +14,7 @@ impl LandingProblem<'_> {
     /// has to.
     pub fn fitted_with_release_if_it_pays(self, from: &LandingFit) -> Option<(Self, LandingFit)> {
         let first = self.fitted(Some(from))?;
-        let tables = self.tables(&first.legs)?;
+        let tables = self.tables(&first.legs, &first.slopes)?;
         let touches = TouchLikelihood::of(&self.heights(), &tables)?;
         if touches.slopes(true).deviance + PRICE >= touches.slopes(false).deviance {
             return Some((self, first));
@@ -76,7 +75,8 @@ impl LandingProblem<'_> {
     /// Whether friction pays its price, and is more than what the method is off of the damper's force at first touch: the two resist alike.
     fn friction_pays(&self, without: &LandingFit, with: &LandingFit) -> Option<bool> {
         let heights = &self.waves.chosen;
-        let speeds = heights.iter().map(|height| fall(self.model, self.waves.means[*height].height_m)[0]);
+        let fall = self.model.arrangement().fall;
+        let speeds = heights.iter().map(|height| fall.impact_speed_m_s(self.waves.means[*height].height_m));
         let speed_m_s = speeds.sum::<f64>() / heights.len() as f64;
         let off_n = Parameter::damping_off() * with.legs.damping_n_s_m * speed_m_s;
         let paid = without.sum - with.sum > PRICE * self.by_one(with)?;

@@ -12,6 +12,7 @@
 //! *When it is wrong:* beyond slopes of about 0.3 rad along both diagonals, as turns about the two are taken to be independent; where feet slide
 //! far; where the frame between the feet and the hub bends long after the touch.
 
+use super::descent::Descent;
 use super::foot_mode::{FootForces, FootMode};
 use super::legged_body::{LeggedBody, Legs};
 use crate::impact::effects::TURN_M_S;
@@ -63,11 +64,11 @@ struct State<const N: usize> {
     feet: [[[f64; N]; FEET]; 2],
 }
 
-/// Lands with a speed, m/s, and slopes along the two diagonals, rad; followed for so many points.
+/// Lands at the end of a fall, with slopes along the two diagonals, rad; followed for so many points.
 ///
 /// A positive slope puts the foot at the diagonal's positive end lower. `None` where the body is lost: numbers that no leg has.
-pub fn simulate(body: &LeggedBody, legs: &Legs, speed_m_s: f64, slopes: [f64; 2], points: usize) -> Option<Landing> {
-    let [landing] = simulate_each(body, legs, speed_m_s, &[slopes], points, SensorAxis::Body).each();
+pub fn simulate(body: &LeggedBody, legs: &Legs, descent: Descent, slopes: [f64; 2], points: usize) -> Option<Landing> {
+    let [landing] = simulate_each(body, legs, descent, &[slopes], points, SensorAxis::Body).each();
     landing
 }
 
@@ -84,12 +85,12 @@ pub enum SensorAxis {
 pub fn simulate_each<const N: usize>(
     body: &LeggedBody,
     legs: &Legs,
-    speed_m_s: f64,
+    descent: Descent,
     slopes: &[[f64; 2]; N],
     points: usize,
     axis: SensorAxis,
 ) -> Landings<N> {
-    with_wide_registers(Following { mechanics: Mechanics::of(body, legs), begin: touching(body, speed_m_s, slopes), points, axis })
+    with_wide_registers(Following { mechanics: Mechanics::of(body, legs), begin: touching(body, descent, slopes), points, axis })
 }
 
 /// Landings that are followed side by side.
@@ -204,13 +205,14 @@ fn followed<const N: usize, const FREE: bool, const RUBS: bool>(
 }
 
 /// When the lowest foot touches.
-fn touching<const N: usize>(body: &LeggedBody, speed_m_s: f64, slopes: &[[f64; 2]; N]) -> State<N> {
+fn touching<const N: usize>(body: &LeggedBody, descent: Descent, slopes: &[[f64; 2]; N]) -> State<N> {
     let mut state = State { body: [[0.0; N]; 8], feet: [[[0.0; N]; FEET]; 2] };
     for (at, [p, q]) in slopes.iter().enumerate() {
         let [(sin_p, cos_p), (sin_q, cos_q)] = [libm::sincos(*p), libm::sincos(*q)];
         let raised_m = body.centre_height_m * (1.0 - cos_p * cos_q);
         let lowest_m = body.foot_radius_m * sin_p.abs().max(sin_q.abs()) - raised_m;
-        let here = [-lowest_m, sin_p, cos_p, sin_q, cos_q, speed_m_s, 0.0, 0.0];
+        let [p_rate, q_rate] = [p, q].map(|slope| descent.turning_1_s * slope);
+        let here = [-lowest_m, sin_p, cos_p, sin_q, cos_q, descent.speed_m_s, p_rate, q_rate];
         state.body.iter_mut().zip(here).for_each(|(values, value)| values[at] = value);
     }
     state
@@ -324,13 +326,14 @@ mod tests {
 
     const BODY: LeggedBody = LeggedBody { mass_kg: 0.241, foot_radius_m: 0.1445, centre_height_m: 0.05 };
     const LEGS: Legs = Legs { stiffness_n_m: 20_000.0, damping_n_s_m: 40.0, friction_n: 0.0, inertia_kg_m2: 1e-3, feet: None, mount: None };
+    const STRAIGHT: Descent = Descent { speed_m_s: 4.0, turning_1_s: 0.0 };
 
     #[test]
     fn analytic_wide_registers_give_the_bits_of_narrow_ones() {
         let feet = Some(FootMode { share: 0.2, f_hz: 150.0, zeta: 0.3 });
         let slopes = [[0.0, 0.0], [0.2, 0.05], [0.11, -0.3], [0.4, 0.39]];
         for legs in [LEGS, Legs { friction_n: 60.0, ..LEGS }, Legs { feet, ..LEGS }, Legs { friction_n: 60.0, feet, ..LEGS }] {
-            let begin = touching(&BODY, 4.0, &slopes);
+            let begin = touching(&BODY, Descent { speed_m_s: 4.0, turning_1_s: 2.0 }, &slopes);
             let following = || Following { mechanics: Mechanics::of(&BODY, &legs), begin, points: 700, axis: SensorAxis::Body };
             let [wide, narrow] = [with_wide_registers(following()), following().run()];
             assert!(wide.each().iter().all(Option::is_some) && wide == narrow, "{legs:?}");
@@ -339,7 +342,7 @@ mod tests {
 
     #[test]
     fn analytic_a_level_landing_is_that_of_one_spring_and_damper() {
-        let landing = simulate(&BODY, &LEGS, 4.0, [0.0; 2], 100).expect("it lands");
+        let landing = simulate(&BODY, &LEGS, STRAIGHT, [0.0; 2], 100).expect("it lands");
         assert_eq!(landing.touch_s, [Some(0.0); FEET]);
         let (m, k, c) = (BODY.mass_kg, LEGS.stiffness_n_m, LEGS.damping_n_s_m);
         let (decay, swing) = (0.5 * c / m, (k / m - (0.5 * c / m).powi(2)).sqrt());
@@ -360,7 +363,7 @@ mod tests {
 
     #[test]
     fn analytic_a_sloped_landing_touches_in_order_and_keeps_its_impulse() {
-        let landing = simulate(&BODY, &LEGS, 4.0, [0.1, 0.04], 1000).expect("it lands");
+        let landing = simulate(&BODY, &LEGS, STRAIGHT, [0.1, 0.04], 1000).expect("it lands");
         let [first, last, near, far] = landing.touch_s.map(|touch| touch.expect("all feet touch"));
         assert!(first == 0.0 && 0.0 < near && near < far && far < last, "{:?}", landing.touch_s);
         // Before anything pushes, a foot comes down by its height over the speed.
@@ -372,7 +375,7 @@ mod tests {
     #[test]
     fn analytic_a_sensor_that_turns_with_the_body_reads_the_cosine_of_its_slope() {
         let read = |slope: f64, axis| {
-            let [landing] = simulate_each(&BODY, &LEGS, 4.0, &[[slope, 0.0]], 400, axis).each();
+            let [landing] = simulate_each(&BODY, &LEGS, STRAIGHT, &[[slope, 0.0]], 400, axis).each();
             landing.expect("it lands").accel_g
         };
         // Level, it is the same to the last bit; as the first foot touches, the slope is still that of the fall.
@@ -387,19 +390,19 @@ mod tests {
     #[test]
     fn analytic_feet_with_mass_throw_the_body_back_and_have_a_part_of_the_inertia() {
         let feet = |share: f64| Legs { damping_n_s_m: 0.0, feet: Some(FootMode { share, f_hz: 250.0, zeta: 0.0 }), ..LEGS };
-        let landing = simulate(&BODY, &feet(0.15), 2.0, [0.0; 2], 600).expect("it lands");
+        let landing = simulate(&BODY, &feet(0.15), Descent { speed_m_s: 2.0, ..STRAIGHT }, [0.0; 2], 600).expect("it lands");
         let impulse = landing.accel_g.iter().sum::<f64>() * STEP_S * GRAVITY_M_S2;
         // Without dampers the body comes back nearly as fast; gravity and the feet's swing make the rest.
         assert!((3.0..4.4).contains(&impulse), "{impulse}");
         // Feet that have more than all of the moment of inertia are none.
-        assert_eq!(simulate(&BODY, &Legs { inertia_kg_m2: 1e-4, ..feet(0.4) }, 2.0, [0.0; 2], 10), None);
+        assert_eq!(simulate(&BODY, &Legs { inertia_kg_m2: 1e-4, ..feet(0.4) }, STRAIGHT, [0.0; 2], 10), None);
     }
 
     #[test]
     fn analytic_the_first_blow_of_a_foot_is_that_of_its_own_mass() {
         // A foot alone meets the ground: its own mass on the leg and on its spring, both held by a body that hardly moves yet.
         let legs = Legs { damping_n_s_m: 0.0, feet: Some(FootMode { share: 0.04, f_hz: 300.0, zeta: 0.0 }), ..LEGS };
-        let landing = simulate(&BODY, &legs, 4.0, [0.1, 0.0], 30).expect("it lands");
+        let landing = simulate(&BODY, &legs, STRAIGHT, [0.1, 0.0], 30).expect("it lands");
         let foot_kg = 0.01 * BODY.mass_kg;
         let held = foot_kg * (std::f64::consts::TAU * 300.0).powi(2);
         let swing = ((held + 0.25 * LEGS.stiffness_n_m) / foot_kg).sqrt();
@@ -415,8 +418,25 @@ mod tests {
     }
 
     #[test]
+    fn analytic_a_body_that_turns_lowers_and_lifts_its_feet_before_anything_pushes() {
+        // Hardly any spring: the slope grows evenly, and the far foot comes down by z + r (sin p0 - sin p) - h (cos p0 - cos p).
+        let soft = Legs { stiffness_n_m: 1e-6, damping_n_s_m: 0.0, ..LEGS };
+        let (slope, turning_1_s, r, h) = (0.1_f64, 3.0, BODY.foot_radius_m, BODY.centre_height_m);
+        let landing = simulate(&BODY, &soft, Descent { turning_1_s, ..STRAIGHT }, [slope, 0.0], 1000).expect("it lands");
+        let touch_s = landing.touch_s[1].expect("touches");
+        let turned = slope * (1.0 + turning_1_s * touch_s);
+        let below_m = |slope: f64| r * libm::sin(slope) + h * (1.0 - libm::cos(slope));
+        let sunk_m = 4.0 * touch_s + 0.5 * GRAVITY_M_S2 * touch_s * touch_s;
+        let raised_m = r * libm::sin(slope) - h * (1.0 - libm::cos(slope));
+        assert!((sunk_m - raised_m - below_m(turned)).abs() < 1e-6, "{touch_s} {sunk_m} {raised_m} {turned}");
+        // With no slope there is no turning.
+        let level = |turning_1_s| simulate(&BODY, &LEGS, Descent { turning_1_s, ..STRAIGHT }, [0.0; 2], 300);
+        assert_eq!(level(3.0), level(0.0));
+    }
+
+    #[test]
     fn analytic_mirrored_slopes_land_alike() {
-        let wave = |slopes| simulate(&BODY, &LEGS, 4.0, slopes, 300).expect("it lands").accel_g;
+        let wave = |slopes| simulate(&BODY, &LEGS, STRAIGHT, slopes, 300).expect("it lands").accel_g;
         let same = |a: Vec<f64>, b: Vec<f64>| a.iter().zip(&b).all(|(a, b)| (a - b).abs() < 1e-9);
         assert!(same(wave([0.1, 0.05]), wave([-0.1, 0.05])) && same(wave([0.1, 0.05]), wave([0.05, 0.1])));
     }

@@ -17,7 +17,7 @@ impl LandingProblem<'_> {
         if heights.len() < 2 {
             return Some(1.0);
         }
-        let tables = self.tables(&fit.legs)?;
+        let tables = self.tables(&fit.legs, &fit.slopes)?;
         let fall = TouchLikelihood::of(&heights, &tables)?.fall_with_own_rates(&fit.slopes);
         let numbers = 1 + usize::from(self.parts.at_release);
         let freedom = heights.len().saturating_sub(numbers).max(1);

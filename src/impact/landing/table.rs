@@ -3,7 +3,8 @@
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
-use super::legged_body::{LeggedBody, Legs, fall};
+use super::descent::Descent;
+use super::legged_body::{LeggedBody, Legs, Slopes};
 use super::mount::Mount;
 use super::simulation::{FEET, Landing, Landings, STEP_S, SensorAxis, simulate_each};
 use super::slope_grid::{GridPoint, points, simulated};
@@ -28,20 +29,28 @@ pub struct LandingTable {
 }
 
 impl LandingTable {
-    /// Simulates; `None` where a landing is lost. The model gives fall and sensor.
-    pub fn of(body: &LeggedBody, legs: &Legs, model: &Model, expected: &Expected, height_m: f64) -> Option<Self> {
-        Self::along(SensorAxis::Body, body, legs, model, expected, height_m)
+    /// Simulates; `None` where a landing is lost. The model gives fall and sensor, the slopes' spread how fast sloped landings turn.
+    pub fn of(body: &LeggedBody, legs: &Legs, slopes: &Slopes, model: &Model, expected: &Expected, height_m: f64) -> Option<Self> {
+        Self::along(SensorAxis::Body, body, legs, slopes, model, expected, height_m)
     }
 
     /// The same as a sensor would read them whose axis keeps to the body or to the vertical.
-    pub fn along(axis: SensorAxis, body: &LeggedBody, legs: &Legs, model: &Model, expected: &Expected, height_m: f64) -> Option<Self> {
-        let [_, fall_s] = fall(model, height_m);
+    pub fn along(
+        axis: SensorAxis,
+        body: &LeggedBody,
+        legs: &Legs,
+        slopes: &Slopes,
+        model: &Model,
+        expected: &Expected,
+        height_m: f64,
+    ) -> Option<Self> {
+        let descent = Descent::of(model, slopes, height_m);
         let lags = expected.lags();
         let read = |landing: ReadLanding| {
             let [_, opposite, beside, far] = landing.touch_s.map(|touch| touch.unwrap_or(NEVER_S));
             (expected.mean_of_aligned(&landing.wave_g, &lags), [opposite, beside.min(far), beside.max(far)])
         };
-        let landings: Vec<_> = landed_everywhere(axis, body, legs, model, expected, height_m)?.into_par_iter().map(read).collect();
+        let landings: Vec<_> = landed_everywhere(axis, body, legs, descent, model, expected)?.into_par_iter().map(read).collect();
         let points = points();
         let mut delays_s = Vec::with_capacity(points.len());
         for point in points {
@@ -52,7 +61,7 @@ impl LandingTable {
             delays_s.push(delays);
         }
         let simulated = DMatrix::from_fn(expected.samples, landings.len(), |sample, node| landings[node].0[sample]);
-        Some(Self { points, simulated, delays_s, fall_s })
+        Some(Self { points, simulated, delays_s, fall_s: model.arrangement().fall.duration_s(height_m) })
     }
 
     /// Sum of the points' windows, each times its weight, g. Windows between the simulated slopes are straight between theirs, so the weights are
@@ -106,12 +115,12 @@ fn at_simulated(count: usize, weights: impl Iterator<Item = f64>) -> DVector<f64
 pub fn phase_covariance(
     body: &LeggedBody,
     legs: &Legs,
+    descent: Descent,
     model: &Model,
     expected: &Expected,
-    height_m: f64,
     weights: &DVector<f64>,
 ) -> Option<DMatrix<f64>> {
-    let landings = landed_everywhere(SensorAxis::Body, body, legs, model, expected, height_m)?;
+    let landings = landed_everywhere(SensorAxis::Body, body, legs, descent, model, expected)?;
     let shares = at_simulated(landings.len(), weights.iter().copied());
     let covariances: Vec<_> =
         landings.iter().zip(shares.iter()).map(|(landing, share)| expected.over_phases(&landing.wave_g) * *share).collect();
@@ -134,17 +143,16 @@ fn landed_everywhere(
     axis: SensorAxis,
     body: &LeggedBody,
     legs: &Legs,
+    descent: Descent,
     model: &Model,
     expected: &Expected,
-    height_m: f64,
 ) -> Option<Vec<ReadLanding>> {
-    let [speed_m_s, _] = fall(model, height_m);
     let slopes = simulated();
     let (together, alone) = slopes.as_chunks::<TOGETHER>();
     let points = expected.fine_points();
-    let simulate = |slopes: &[f64; 2]| read(simulate_each(body, legs, speed_m_s, &[*slopes], points, axis), legs.mount, model);
+    let simulate = |slopes: &[f64; 2]| read(simulate_each(body, legs, descent, &[*slopes], points, axis), legs.mount, model);
     let simulate_together =
-        |slopes: &[[f64; 2]; TOGETHER]| read(simulate_each(body, legs, speed_m_s, slopes, points, axis), legs.mount, model);
+        |slopes: &[[f64; 2]; TOGETHER]| read(simulate_each(body, legs, descent, slopes, points, axis), legs.mount, model);
     let mut landings: Vec<Option<ReadLanding>> = together.par_iter().flat_map_iter(simulate_together).collect();
     landings.extend(alone.iter().flat_map(simulate));
     landings.into_iter().collect()

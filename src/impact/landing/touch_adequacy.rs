@@ -37,7 +37,7 @@ pub struct TouchAdequacy {
 impl TouchAdequacy {
     /// Of a fit; `None` where a landing is lost.
     pub fn of(problem: &LandingProblem, fit: &LandingFit, step_s: f64, seed: u64) -> Option<Self> {
-        let tables = problem.tables(&fit.legs)?;
+        let tables = problem.tables(&fit.legs, &fit.slopes)?;
         let heights: Vec<Left> = problem
             .waves
             .chosen

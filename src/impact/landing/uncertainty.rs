@@ -56,7 +56,7 @@ impl FitUncertainty {
             let [mut low, mut high] = Parameter::with_method(spread, parameter.method_at(scaled, problem.parts.rubbing))
                 .map(|change| parameter.outward(scaled + change).clamp(parameter.bounds[0], parameter.bounds[1]));
             if parameter.kind == Kind::Slope && fit.slopes.has_none() {
-                let (tables, number) = (problem.tables(&fit.legs)?, SlopeNumber::ALL[at - first_slope]);
+                let (tables, number) = (problem.tables(&fit.legs, &fit.slopes)?, SlopeNumber::ALL[at - first_slope]);
                 let likelihood = TouchLikelihood::of(&problem.heights(), &tables)?;
                 [low, high] = if value == 0.0 { [low, likelihood.most(number)] } else { [low.min(likelihood.least(number, value)), high] };
             }
@@ -72,7 +72,7 @@ impl FitUncertainty {
     pub fn drawn(&self, problem: &LandingProblem, fit: &LandingFit, count: usize, seed: u64) -> Option<Vec<(Legs, Slopes)>> {
         let mut rng = Pcg64::new(u128::from(seed), 3);
         let beside = if fit.slopes.at_release_rad == 0.0 {
-            let tables = problem.tables(&fit.legs)?;
+            let tables = problem.tables(&fit.legs, &fit.slopes)?;
             TouchLikelihood::of(&problem.heights(), &tables)?.beside_slopes_at_release()
         } else {
             Vec::new()

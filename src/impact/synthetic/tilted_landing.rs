@@ -85,10 +85,13 @@ impl Landings {
 
     /// One landing with a random slope.
     pub(super) fn tilted(&self, drop: &VerticalConditions, every_s: f64, count: usize, rng: &mut impl Rng) -> Axes {
-        let sd = libm::hypot(self.rate_rad_s * drop.fall_s, self.at_release_rad);
-        let [about_x, about_y]: [f64; 2] =
-            std::array::from_fn(|_| sd * <StandardNormal as Distribution<f64>>::sample(&StandardNormal, rng));
-        let mut body = Body::of(self, drop, [about_x, about_y]);
+        let mut about_axes = |deviation: f64| -> [f64; 2] {
+            std::array::from_fn(|_| deviation * <StandardNormal as Distribution<f64>>::sample(&StandardNormal, rng))
+        };
+        let rates_rad_s = about_axes(self.rate_rad_s);
+        // Without slopes at release nothing is drawn for them.
+        let at_release_rad = if self.at_release_rad > 0.0 { about_axes(self.at_release_rad) } else { [0.0; 2] };
+        let mut body = Body::of(self, drop, rates_rad_s, at_release_rad);
         let spikes: [f64; 4] = std::array::from_fn(|_| self.touch_g * rng.random_range(0.7..1.3));
         let steps = (every_s / STEP_S).round().max(1.0) as usize;
         let mut axes: Axes = std::array::from_fn(|_| Vec::with_capacity(count));
@@ -153,10 +156,12 @@ struct Body {
 }
 
 impl Body {
-    fn of(landings: &Landings, drop: &VerticalConditions, slopes: [f64; 2]) -> Self {
+    /// At first touch: it has turned while it fell, and does so still.
+    fn of(landings: &Landings, drop: &VerticalConditions, rates_rad_s: [f64; 2], at_release_rad: [f64; 2]) -> Self {
         let side = landings.foot_radius_m * std::f64::consts::FRAC_1_SQRT_2;
         let feet = [(1.0, 1.0), (-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0)].map(|(x, y)| Vector3::new(x * side, y * side, -BELOW_M));
-        let attitude = UnitQuaternion::from_scaled_axis(Vector3::new(slopes[0], slopes[1], 0.0));
+        let [turning_rad_s, at_release_rad] = [rates_rad_s, at_release_rad].map(|[about_x, about_y]| Vector3::new(about_x, about_y, 0.0));
+        let attitude = UnitQuaternion::from_scaled_axis(turning_rad_s * drop.fall_s + at_release_rad);
         let lowest = feet.iter().map(|foot| (attitude * foot).z).fold(f64::INFINITY, f64::min);
         // What of the moment of inertia the feet do not have. About the vertical axis nothing turns.
         let i = landings.inertia_kg_m2 - landings.inertia_of_feet_kg_m2(drop.mass_kg);
@@ -167,7 +172,7 @@ impl Body {
             height_m: -lowest,
             speed_m_s: -drop.speed_m_s,
             attitude,
-            turning_rad_s: Vector3::zeros(),
+            turning_rad_s: attitude.inverse() * turning_rad_s,
             acceleration_m_s2: -GRAVITY_M_S2,
             filtered: vec![0.0; drop.stages],
             touched_s: [None; 4],
