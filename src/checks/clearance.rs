@@ -92,11 +92,17 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
         }
     }
     if nearest.is_empty() {
-        let all = RodClearance { pair: ["every rod".into(), "what does not hold it".into()], gap_mm: reach, limit_mm };
-        return vec![all.finding()];
+        return vec![nothing_near(reach, limit_mm)];
     }
     broken.extend(nearest.values().filter(|found| !falls_short_mm(found.gap_mm, limit_mm)).map(RodClearance::finding));
     broken
+}
+
+/// That no rod has anything but its holders within reach of the search, mm.
+fn nothing_near(reach_mm: f64, limit_mm: f64) -> Finding {
+    let measure = Measure { rule: RULE.id, value: reach_mm, limit: limit_mm, unit: "mm", levers: LEVERS };
+    let [reach, least] = measure.figures(2);
+    measure.at_least("rods".into(), format!("nothing that does not hold a rod is within {reach} mm of it, {least} mm are needed"))
 }
 
 #[cfg(test)]

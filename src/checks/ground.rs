@@ -6,8 +6,7 @@
 use super::finding::Finding;
 use super::measure::Measure;
 use super::rule::{Blame, Found, InSearch, Levers, Limit, Pass, Rule};
-use super::scene::{Scene, bounds_of};
-use crate::params::PartName;
+use super::scene::Scene;
 use crate::params::frame::Extra;
 
 pub(super) const LEVERS: &[&str] = &["bracket.bay_height_mm", "battery.battery_height_mm", "rods.strut_rod_length_mm"];
@@ -50,7 +49,7 @@ pub(super) fn measure(scene: &Scene) -> Option<GroundClearance> {
     let centre = scene.placed.iter().filter(|p| p.body.module.is_none());
     let lowest = centre.min_by(|a, b| a.bounds.low[2].total_cmp(&b.bounds.low[2]));
     let lowest = lowest?;
-    let clearance_mm = lowest.bounds.low[2] - ground_mm(scene)?;
+    let clearance_mm = lowest.bounds.low[2] - scene.design.ground_mm()?;
     let limit_mm = scene.design.frame.limits.ground_clearance_mm;
     Some(GroundClearance { lowest: lowest.body.name.clone(), clearance_mm, limit_mm })
 }
@@ -61,14 +60,9 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     found
 }
 
-/// Height of the ground in frame axes, mm.
-fn ground_mm(scene: &Scene) -> Option<f64> {
-    bounds_of(scene.placed.iter().filter(|p| p.is_part(PartName::BottomCorner))).map(|bounds| bounds.low[2])
-}
-
 /// A warning of each extra whose mass is placed below the ground.
 fn buried(scene: &Scene) -> Vec<Finding> {
-    let Some(ground_mm) = ground_mm(scene) else { return Vec::new() };
+    let Some(ground_mm) = scene.design.ground_mm() else { return Vec::new() };
     let of = |(name, extra): (&String, &Extra)| {
         let below_mm = ground_mm - extra.position_mm[2];
         let measure = Measure { rule: RULE.id, value: below_mm, limit: 0.0, unit: "mm", levers: &[] };

@@ -20,7 +20,7 @@ use super::rule::{Blame, Found, InSearch, Levers, Limit, Pass, Rule};
 use super::scene::Scene;
 use crate::frame::fold;
 use crate::frame::fold::HingeLoad;
-use crate::frame::skeleton::Skeleton;
+use crate::frame::skeleton::{Skeleton, strut_fold_deg};
 use crate::params::Frame;
 use crate::units::Angle;
 
@@ -93,7 +93,10 @@ pub struct NotchPreload {
 impl NotchPreload {
     /// Of a frame's struts.
     pub(super) fn of(frame: &Frame, skeleton: &Skeleton) -> Self {
-        Self { fold: Angle::deg(90.0 + skeleton.closure.strut_tilt.to_deg()), closing: Angle::deg(2.0 * frame.corner.notch_half_angle_deg) }
+        Self {
+            fold: Angle::deg(strut_fold_deg(skeleton.closure.strut_tilt.to_deg())),
+            closing: Angle::deg(2.0 * frame.corner.notch_half_angle_deg),
+        }
     }
 
     /// How far the fold is beyond the closing, deg; below 0 where the notch stays open.
@@ -146,7 +149,7 @@ impl LayerStrain {
 
 pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     let (frame, closure) = (&scene.design.frame, &scene.design.skeleton.closure);
-    let strut = Angle::deg(90.0 + closure.strut_tilt.to_deg());
+    let strut = Angle::deg(strut_fold_deg(closure.strut_tilt.to_deg()));
     let notch = NotchPreload::of(frame, &scene.design.skeleton);
     // What is not known to stretch is taken not to: reading a frame file already refuses such a material.
     let elongation = frame.flexible.material.elongation_at_break_percent.unwrap_or(0.0);

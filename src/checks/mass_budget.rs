@@ -47,21 +47,26 @@ impl TakeOffMass {
 pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     let (total_g, estimated_g) = (scene.masses.total_g, scene.masses.estimated_g);
     let take_off = TakeOffMass { total_g, estimated_g, limit_g: scene.design.frame.limits.mass_budget_g };
-    std::iter::once(take_off.finding()).chain(weightless_battery(scene)).collect()
+    std::iter::once(take_off.finding()).chain(light_battery(scene)).collect()
 }
 
-/// A warning of a battery that is bought, has no mass, and is in no extra's mass.
-fn weightless_battery(scene: &Scene) -> Option<Finding> {
+/// Least part of the bought battery's mass that a frame states: packs of one kind differ by less. Chosen.
+const LEAST_OF_BATTERY: f64 = 0.85;
+
+/// A warning of a battery that is stated to be lighter than the one that is bought, and is in no extra's mass.
+fn light_battery(scene: &Scene) -> Option<Finding> {
     let frame = &scene.design.frame;
-    let bought = frame.bought.get("battery").filter(|_| frame.battery.battery_mass_g == 0.0)?;
+    let stated_g = frame.battery.battery_mass_g;
+    let bought = frame.bought.get("battery").filter(|bought| stated_g < LEAST_OF_BATTERY * bought.part.mass_g)?;
     let weighed = |extra: &Extra| extra.covers.iter().any(|role| role == "battery");
     if frame.extras.values().any(weighed) {
         return None;
     }
-    let missing = Measure { rule: RULE.id, value: bought.part.mass_g, limit: 0.0, unit: "g", levers: BATTERY };
+    let (name, bought_g) = (&bought.name, bought.part.mass_g);
+    let missing = Measure { rule: RULE.id, value: bought_g - stated_g, limit: 0.0, unit: "g", levers: BATTERY };
     let message = format!(
-        "battery_mass_g = 0 leaves {} of the bill, {} g, out of the take-off mass, and no extra covers it",
-        bought.name, bought.part.mass_g
+        "battery_mass_g = {stated_g} leaves {missing:.1} g of {name} of the bill, {bought_g} g, out of the take-off mass, and no extra covers it",
+        missing = missing.value
     );
     Some(missing.note("battery".into(), message))
 }
@@ -72,9 +77,12 @@ mod tests {
     use crate::checks::planted::{Planted, violated};
 
     #[test]
-    fn planted_a_battery_that_is_bought_and_weighs_nothing() {
+    fn planted_a_battery_that_is_bought_and_weighs_nothing_or_little() {
         let found = Planted::frame(|frame| frame.battery.battery_mass_g = 0.0).found(check);
         assert!(found.len() == 2 && found[1].warns() && found[1].message.contains("battery-3s-650 of the bill"), "{found:?}");
+        let found = Planted::frame(|frame| frame.battery.battery_mass_g = 45.0).found(check);
+        assert!(found.len() == 2 && found[1].message.contains("leaves 13.0 g of battery-3s-650"), "{found:?}");
+        assert_eq!(Planted::frame(|frame| frame.battery.battery_mass_g = 54.0).found(check).len(), 1);
     }
 
     #[test]

@@ -4,7 +4,7 @@
 //! The first is read from the skeleton. The second is measured on the solid: a pin a little thinner than the bore, laid
 //! where the rod is, must meet nothing, and one a little wider must meet the wall all around, wherever along the rod it is cut.
 
-use nalgebra::{Isometry3, Point3, Translation3, UnitQuaternion, Vector3};
+use nalgebra::Point3;
 use rayon::prelude::*;
 
 use super::finding::Finding;
@@ -12,7 +12,7 @@ use super::measure::Measure;
 use super::rule::{Blame, Found, InSearch, Levers, Limit, Pass, Rule};
 use super::scene::{Scene, rounded_pose};
 use crate::figures::{decimals, told_apart};
-use crate::frame::skeleton::{Rod, RodRole, Socket};
+use crate::frame::skeleton::{Rod, RodRole, Socket, laid_along};
 use crate::solid::{Feature, MeshSolid};
 use crate::units::Angle;
 
@@ -125,7 +125,7 @@ impl SocketGeometry {
         let along = (other - end).normalize();
         let length = socket.engagement_mm(end) - 2.0 * END_MM;
         let start = end + along * END_MM;
-        let pose = rounded_pose(&(pin_pose(start, along).inverse() * part.body.pose));
+        let pose = rounded_pose(&(laid_along(start, along).inverse() * part.body.pose));
         let pair = [rod.name.clone(), part.body.name.clone()];
         let inputs = (part.shape.solid.key(), socket.bore_mm, length, pose);
         let measured = scene
@@ -171,13 +171,6 @@ fn bore_measured(part: &MeshSolid, bore_mm: f64, length_mm: f64) -> (f64, f64) {
 /// A rod's socket, its end there, and its other end.
 fn ends(rod: &Rod, at: usize) -> (&Socket, &Point3<f64>, &Point3<f64>) {
     if at == 0 { (&rod.sockets[0], &rod.start, &rod.end) } else { (&rod.sockets[1], &rod.end, &rod.start) }
-}
-
-/// From the pin's axes, z along the rod, to the frame's.
-fn pin_pose(start: Point3<f64>, along: Vector3<f64>) -> Isometry3<f64> {
-    let turn = UnitQuaternion::rotation_between(&Vector3::z(), &along)
-        .unwrap_or_else(|| UnitQuaternion::from_axis_angle(&Vector3::x_axis(), std::f64::consts::PI));
-    Isometry3::from_parts(Translation3::from(start.coords), turn)
 }
 
 /// The keys of a socket's depth, and of the rod's share of it.
@@ -229,6 +222,8 @@ fn seated(scene: &Scene, rod: &Rod, at: usize) -> Vec<Finding> {
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::Vector3;
+
     use super::*;
     use crate::checks::planted::{Planted, violated};
 

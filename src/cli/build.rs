@@ -146,7 +146,7 @@ fn table(design: &Design, masses: &MassTable, place: &Path) -> String {
 
 fn row(part: &Printed, masses: &MassTable) -> String {
     let [x, y, z] = part.mesh.size_mm();
-    let line = masses.lines.iter().find(|line| line.name == part.name.slug());
+    let line = masses.printed(part.name);
     let (material, each) = line.map_or(("", 0.0), |line| (line.material.as_str(), line.each_g));
     let (name, quantity, volume) = (part.name.slug(), part.part.quantity(), part.volume_mm3);
     format!("{name:<24} {quantity:>3}  {material:<9} {volume:>9.0} {each:>8.2}  {x:.1} x {y:.1} x {z:.1}\n")

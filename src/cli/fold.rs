@@ -1,7 +1,7 @@
 //! `flexframe fold`: how a frame is put together, as data, as motion, and on paper.
 
 use std::borrow::Cow;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use rayon::prelude::*;
@@ -35,9 +35,15 @@ pub(super) struct Args {
     /// With --step: write its pictures, too, into `FRAME-step-N`.
     #[arg(long, requires = "step")]
     pub png: bool,
-    /// Folder in which to write the folder `FRAME-fold`.
-    #[arg(short, long, default_value = "out", value_name = "DIR")]
-    pub output: PathBuf,
+    /// Folder in which to write the folder `FRAME-fold`, or with --png `FRAME-step-N`; `out` if not given.
+    #[arg(short, long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+}
+
+impl Args {
+    fn folder(&self) -> &Path {
+        self.output.as_deref().unwrap_or(Path::new("out"))
+    }
 }
 
 /// Width of what is printed.
@@ -48,6 +54,9 @@ const STEPS: &str = "fold.json";
 
 /// Writes `FRAME-fold`: the steps, the animation and the instructions; or tells one step.
 pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
+    if args.step.is_some() && !args.png && args.output.is_some() {
+        return Err(Failure::Usage { message: "--step alone writes nothing: give --png, too, or leave -o out".into() });
+    }
     let working = Progress::of("folding", common);
     let design = session::design(&args.frame, common)?;
     let sequence = match FoldSequence::new(&design.frame, &design.skeleton) {
@@ -61,7 +70,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     }
     let files = everything(&design, &sequence)?;
     drop(working);
-    let place = output::write_folder(&args.output, &format!("{}-fold", design.frame.name), &files)?;
+    let place = output::write_folder(args.folder(), &format!("{}-fold", design.frame.name), &files)?;
     if common.json {
         let steps = files.iter().find(|(path, _)| path == STEPS).map_or_else(Cow::default, |(_, steps)| String::from_utf8_lossy(steps));
         terminal::print(&steps)?;
@@ -107,7 +116,7 @@ fn one_step(args: &Args, common: &Common, all: &AllSteps, number: usize, working
         step.paragraphs().iter().map(|line| textwrap::fill(line, COLUMNS) + "\n").collect()
     };
     if args.png {
-        let place = output::write_folder(&args.output, &format!("{}-step-{number}", all.design.frame.name), &files)?;
+        let place = output::write_folder(args.folder(), &format!("{}-step-{number}", all.design.frame.name), &files)?;
         if !common.quiet && !common.json {
             told += &format!("{}: {} files\n", place.display(), files.len());
         }

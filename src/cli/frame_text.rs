@@ -26,7 +26,8 @@ pub(super) struct Line {
     pub why: String,
 }
 
-/// Where a frame of a name is written: in the working directory, or at a path. Nothing may be there yet.
+/// Where a frame of a name is written: in the working directory, or at a path. Nothing may be there yet, and something can be put there: a search
+/// whose result has no place would be in vain.
 pub(super) fn place(name: &str) -> Result<PathBuf, Failure> {
     let path = PathBuf::from(if name.ends_with(".toml") { name.to_string() } else { format!("{name}.toml") });
     let usage = |message: String| Failure::Usage { message };
@@ -43,13 +44,18 @@ pub(super) fn place(name: &str) -> Result<PathBuf, Failure> {
     if path.symlink_metadata().is_ok() {
         return Err(usage(format!("{} is there already: choose another name", path.display())));
     }
+    output::can_be_written(&path).map_err(|error| unwritten(&path, error))?;
     Ok(path)
+}
+
+fn unwritten(place: &Path, error: io::Error) -> Failure {
+    Failure::Machine { what: format!("cannot write {}", place.display()), error }
 }
 
 /// Writes a frame file on a base, which is named as [`base_for`] says.
 pub(super) fn write(place: &Path, base: &str, description: &str, lines: &[Line]) -> Result<(), Failure> {
     let text = text(base, description, lines).map_err(|message| Failure::Usage { message: format!("{}: {message}", place.display()) })?;
-    output::write_new(place, text.as_bytes()).map_err(|error| Failure::Machine { what: format!("cannot write {}", place.display()), error })
+    output::write_new(place, text.as_bytes()).map_err(|error| unwritten(place, error))
 }
 
 /// A key with its tables as TOML writes it: what is not plain is quoted.
@@ -105,8 +111,7 @@ impl AmendedFile {
     /// When the place cannot be written, or holds a read-only file.
     pub fn write(&self) -> Result<(), Failure> {
         let write = if self.is_new { output::write_new } else { output::replace_users_file };
-        write(&self.place, self.text.as_bytes())
-            .map_err(|error| Failure::Machine { what: format!("cannot write {}", self.place.display()), error })
+        write(&self.place, self.text.as_bytes()).map_err(|error| unwritten(&self.place, error))
     }
 }
 

@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, AtomicI32, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError, RwLock, RwLockReadGuard};
 
-use signal_hook::consts::{SIGINT, SIGTERM};
+use signal_hook::consts::{SIGINT, SIGTERM, SIGXFSZ};
 use signal_hook::iterator::Signals;
 
 /// Whether somebody finishes in order when asked to end, and the signal that asked for it.
@@ -26,10 +26,12 @@ static UNFINISHED: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 static STEPS: RwLock<()> = RwLock::new(());
 
 /// Listens from now on. Where that is not possible, an interruption ends the program as it ends any other.
+///
+/// A file beyond the limit on their size is an error of the write, as a full disk is, once somebody listens to its signal.
 pub(super) fn listen() {
-    let Ok(mut signals) = Signals::new([SIGINT, SIGTERM]) else { return };
+    let Ok(mut signals) = Signals::new([SIGINT, SIGTERM, SIGXFSZ]) else { return };
     std::thread::spawn(move || {
-        for signal in signals.forever() {
+        for signal in signals.forever().filter(|signal| *signal != SIGXFSZ) {
             if HEARD.load(Ordering::SeqCst) && ASKED.swap(signal, Ordering::SeqCst) == NOTHING {
                 continue;
             }

@@ -28,7 +28,7 @@ pub(super) struct Args {
     #[command(flatten)]
     pub frame: FrameOption,
     /// End after this number of saves.
-    #[arg(long, value_name = "N", value_parser = count([0, 1_000_000]))]
+    #[arg(long, value_name = "N", value_parser = count([1, 1_000_000]))]
     pub saves: Option<usize>,
 }
 
@@ -55,7 +55,8 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let mut count = 0;
     while args.saves.is_none_or(|most| count < most) {
         let Some(saved) = saves.next(&files) else { break };
-        count += 1;
+        // Some editors delete a file before they write it anew: that is no save.
+        count += usize::from(files.iter().all(|file| file.exists()));
         match evaluated(&args.frame, &memo) {
             Ok((evaluation, now)) => {
                 (last, files) = (Some(tell(last, evaluation, saved, common)?), now);

@@ -12,6 +12,7 @@ use super::supplies::{RECEIVER_SEARCH, SMALL_TIE, Supply, supplies};
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::{LineKind, MassLine, MassTable};
 use crate::frame::skeleton::RodRole;
+use crate::params::Frame;
 use crate::params::catalogue::BoughtPart;
 use crate::params::frame::NamedMaterial;
 use crate::printing::print_time::of_part_s;
@@ -189,7 +190,7 @@ fn print_lines(design: &Design, masses: &MassTable) -> Vec<PrintLine> {
         let NamedMaterial { name, material } = design.material_of(part.name);
         let quantity = part.part.quantity();
         let volume_mm3 = part.volume_mm3 * f64::from(quantity);
-        let weighed = masses.lines.iter().find(|line| line.kind == LineKind::Printed && line.name == part.name.slug());
+        let weighed = masses.printed(part.name);
         let mass_g = weighed.map_or(0.0, |line| line.total_g);
         let price = material.cost(mass_g / f64::from(quantity.max(1)));
         PrintLine {
@@ -229,7 +230,7 @@ fn buy_lines(design: &Design, masses: &MassTable, stocks: u32) -> Vec<BuyLine> {
             currency: part.currency.clone(),
             price_source: part.price_source.clone(),
             source: weighed.map_or_else(|| part.source.clone(), |line| line.source(&part.source)),
-            note: bought_note(role).into(),
+            note: bought_note(&design.frame, role),
             ..BuyLine::default()
         }
     };
@@ -269,16 +270,24 @@ fn extra_lines(design: &Design, masses: &MassTable) -> Vec<BuyLine> {
     masses.lines.iter().filter(|line| line.kind == LineKind::Extra).map(line).collect()
 }
 
-/// What an extra is to the buyer: a receiver itself, or a mass of several things.
 /// What a search for a part does not say.
-fn bought_note(role: &str) -> &'static str {
+fn bought_note(frame: &Frame, role: &str) -> String {
+    let part = |role: &str| frame.bought.get(role).map(|item| &item.part);
     match role {
-        "fpv_camera" => NO_TRANSMITTER,
-        "propeller" => "half of them clockwise, half counter-clockwise",
-        _ => "",
+        "fpv_camera" if part(role).is_some_and(|camera| camera.digital == Some(true)) => {
+            format!("{NO_TRANSMITTER}; it has to be of the camera's maker, as the ribbon between the two")
+        }
+        "fpv_camera" => NO_TRANSMITTER.into(),
+        "propeller" => {
+            let shaft_mm = part("motor").and_then(|motor| motor.shaft_diameter_mm);
+            let bore = shaft_mm.map_or(String::new(), |mm| format!(", for a shaft of {mm} mm, or with the motor's own fixing"));
+            format!("half of them clockwise, half counter-clockwise{bore}")
+        }
+        _ => String::new(),
     }
 }
 
+/// What an extra is to the buyer: a receiver itself, or a mass of several things.
 fn extra_note(name: &str) -> &'static str {
     match name {
         "receiver" => "of your transmitter's protocol; its mass is the frame file's",

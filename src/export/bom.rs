@@ -1,6 +1,6 @@
 //! `bom.csv`: what to print, what to buy, and how to cut the rods from stock lengths.
 
-use super::bill::{Bill, BuyLine, CutLine, PrintLine, RodLine, bill};
+use super::bill::{Bill, BuyLine, CutLine, PrintLine, RodLine};
 use super::format::{ExportError, Exported, File, Format};
 use super::table;
 
@@ -13,7 +13,7 @@ pub const FORMAT: Format = Format {
 };
 
 fn files(of: &Exported) -> Result<Vec<File>, ExportError> {
-    Ok(vec![File::new("bom.csv", csv(&bill(of.design, of.masses, None))?.into_bytes())])
+    Ok(vec![File::new("bom.csv", csv(of.bill)?.into_bytes())])
 }
 
 /// Columns of the CSV; a missing value is empty.

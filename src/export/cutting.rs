@@ -216,14 +216,6 @@ pub fn savings(rods: &[Kind], stock_mm: f64, kerf_mm: f64) -> Vec<Saving> {
 /// Width of a saw cut, mm.
 pub const KERF_MM: f64 = 1.0;
 
-/// Cuts all rods of a design from stock lengths.
-///
-/// # Errors
-/// When a rod is longer than the stock.
-pub fn cutting_plan(design: &Design, stock_mm: f64) -> Result<Vec<Stock>, TooLong> {
-    cut(design, stock_mm, KERF_MM)
-}
-
 /// The stock length that a design's rods are cut from, mm, and how, with saw cuts of a width.
 pub(super) fn rod_plan(design: &Design, kerf_mm: f64) -> (f64, Result<Vec<Stock>, TooLong>) {
     let stock_mm = design.frame.stock_mm();

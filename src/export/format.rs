@@ -5,6 +5,7 @@ use std::io;
 
 use serde::Serialize;
 
+use super::bill::Bill;
 use crate::frame::assembly::Design;
 use crate::frame::assembly::compensated::Compensated;
 use crate::frame::assembly::mass::MassTable;
@@ -29,6 +30,8 @@ pub struct Exported<'a> {
     pub design: &'a Design,
     /// Their masses.
     pub masses: &'a MassTable,
+    /// Their bill of materials.
+    pub bill: &'a Bill,
     /// The meshes for the frame's printer.
     pub meshes: &'a Compensated<'a>,
     /// Plates of that printer, each with its picture as PNG.

@@ -14,7 +14,7 @@ use serde_json::{json, value::RawValue};
 
 use super::format::{ExportError, Exported, File, Format};
 use crate::figures::to_thousandth;
-use crate::frame::assembly::mass::{LineKind, MassLine, MassTable};
+use crate::frame::assembly::mass::{LineKind, MassTable};
 use crate::frame::assembly::wire::Wire;
 use crate::frame::assembly::wires::wires;
 use crate::frame::assembly::{Body, Design, Kind, Shape};
@@ -259,12 +259,12 @@ fn material(shape: &Shape) -> Material {
 fn body_facts(design: &Design, body: &Body, masses: &MassTable) -> serde_json::Value {
     let shape = design.shape(body);
     let count = bodies_of(design, body.shape);
-    let of = |kind: LineKind| masses.lines.iter().find(|line| line.kind == kind && line.name == shape.name);
+    let of = |kind: LineKind| masses.line(kind, &shape.name);
     let (kind, quantity, mass) = match shape.kind {
         Kind::Printed(_) => ("printed", count, of(LineKind::Printed)),
         Kind::Rod(_) => ("rod", count, of(LineKind::Rod)),
         Kind::Motor | Kind::Propeller | Kind::Bought(_) => {
-            let line = bought_line(masses, &shape.name);
+            let line = masses.bought(&shape.kind.bill_line());
             // Some shapes are several pieces, as the screws of a motor are.
             ("bought", line.map_or(count, |line| line.quantity as usize), line)
         }
@@ -277,12 +277,6 @@ fn body_facts(design: &Design, body: &Body, masses: &MassTable) -> serde_json::V
         "mass_each_g": mass.map(|line| to_thousandth(line.each_g)),
         "module": body.module.map(|module| crate::frame::skeleton::MODULE_NAMES[module]),
     })
-}
-
-/// The line of a bought shape: of its role, whose name it begins with, as `magnet_lid` does.
-fn bought_line<'a>(masses: &'a MassTable, shape: &str) -> Option<&'a MassLine> {
-    let is_of = |role: &str| shape.strip_prefix(role).is_some_and(|rest| rest.is_empty() || rest.starts_with('_'));
-    masses.lines.iter().filter(|line| line.kind == LineKind::Bought && is_of(&line.name)).max_by_key(|line| line.name.len())
 }
 
 fn bodies_of(design: &Design, shape: usize) -> usize {

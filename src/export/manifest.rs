@@ -6,7 +6,7 @@ use sha2::{Digest, Sha256};
 use super::format::{File, SolidEntry};
 use crate::figures::to_thousandth;
 use crate::frame::assembly::compensated::Compensated;
-use crate::frame::assembly::mass::MassTable;
+use crate::frame::assembly::mass::{LineKind, MassTable};
 use crate::frame::assembly::{Design, Shape};
 
 /// Version of the manifest's form; raised when a key changes its meaning or goes.
@@ -209,7 +209,7 @@ fn part_entries(design: &Design, meshes: &Compensated, masses: &MassTable, files
             material: design.material_of(part.name).name.clone(),
             volume_mm3: to_thousandth(mesh.volume_mm3()),
             design_volume_mm3: to_thousandth(part.volume_mm3),
-            mass_g: to_thousandth(mass_of(masses, part.name.slug())),
+            mass_g: to_thousandth(mass_of(masses, LineKind::Printed, part.name.slug())),
             bbox_mm: mesh.size_mm().map(to_thousandth),
             triangles: mesh.triangles.len(),
             files: files.iter().filter(|file| file.part == Some(part.name)).map(|file| file.path.clone()).collect(),
@@ -229,7 +229,7 @@ fn rod_entries(design: &Design, masses: &MassTable) -> Vec<RodEntry> {
             length_mm: to_thousandth(design.skeleton.length_mm(*role)),
             sawn_mm: to_thousandth(design.skeleton.sawn_mm(*role)),
             diameter_mm: design.frame.rods.rod_diameter_mm,
-            mass_g: to_thousandth(mass_of(masses, &format!("{}_rod", role.slug()))),
+            mass_g: to_thousandth(mass_of(masses, LineKind::Rod, &format!("{}_rod", role.slug()))),
         })
         .collect()
 }
@@ -242,8 +242,8 @@ fn exact_entries(design: &Design) -> Vec<ExactEntry> {
     design.shapes.iter().filter_map(entry).collect()
 }
 
-fn mass_of(masses: &MassTable, name: &str) -> f64 {
-    masses.lines.iter().find(|line| line.name == name).map_or(0.0, |line| line.each_g)
+fn mass_of(masses: &MassTable, kind: LineKind, name: &str) -> f64 {
+    masses.line(kind, name).map_or(0.0, |line| line.each_g)
 }
 
 /// SHA-256 in hexadecimal.

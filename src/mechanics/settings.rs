@@ -66,6 +66,9 @@ pub struct DropLimits {
     pub buckling_factor: f64,
 }
 
+/// Bounds of the flexible material's modulus, MPa.
+pub const YOUNG_MPA: [f64; 2] = [10.0, 400.0];
+
 /// Bounds of [`MechanicsSettings::impact_modulus`].
 pub const IMPACT_MODULUS: [f64; 2] = [0.1, 3.0];
 /// Bounds of [`MechanicsSettings::impact_loss`].
@@ -92,7 +95,7 @@ const fn key(name: &'static str, bounds: [f64; 2], unit: &'static str, of: fn(&m
 
 /// Every number that has to be stated, in the order of the file: the only list.
 pub const KEYS: [Key; 22] = [
-    key("flexible.young_mpa", [10.0, 400.0], "MPa", |s| &mut s.young_mpa),
+    key("flexible.young_mpa", YOUNG_MPA, "MPa", |s| &mut s.young_mpa),
     key("flexible.young_low_mpa", [5.0, 400.0], "MPa", |s| &mut s.young_band_mpa[0]),
     key("flexible.young_high_mpa", [10.0, 800.0], "MPa", |s| &mut s.young_band_mpa[1]),
     key("flexible.poisson", [0.3, 0.499], "1", |s| &mut s.poisson),

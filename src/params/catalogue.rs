@@ -168,6 +168,8 @@ pub struct BoughtPart {
     pub board_thickness_mm: Option<f64>,
     /// Whether a board is flight controller and motor controllers in one.
     pub all_in_one: Option<bool>,
+    /// Whether a camera for goggles is digital: its ribbon leads to a transmitter of its own maker, and no cable to the boards.
+    pub digital: Option<bool>,
     /// Width and thickness of a tie's strap, mm.
     pub strap_mm: Option<[f64; 2]>,
     /// Distances of a board's mounting holes, mm.

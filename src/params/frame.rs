@@ -59,6 +59,8 @@ pub struct Frame {
     pub rod_material: NamedMaterial,
     /// The printer.
     pub printer: Printer,
+    /// Its name in the catalogue, by which a frame file chooses it.
+    pub printer_name: String,
     /// What is bought, by role.
     pub bought: BTreeMap<String, BoughtItem>,
     /// Masses that belong to no part in the catalogue.
@@ -146,6 +148,21 @@ impl Frame {
     pub fn rod_bore_mm(&self) -> f64 {
         let wall_mm = self.bought.get("rod").and_then(|rod| rod.part.wall_mm);
         wall_mm.map_or(0.0, |wall| (self.rods.rod_diameter_mm - 2.0 * wall).max(0.0))
+    }
+
+    /// From the hub's axis to the bottoms of the fork's sockets, along the diagonal, mm: an arm that is home ends there, less its slack.
+    pub fn fork_bottom_mm(&self) -> f64 {
+        self.hub.hub_mouth_mm + self.rods.arm_rod_length_mm + self.rods.arm_rod_slack_mm
+    }
+
+    /// Bore that holds a rod, mm.
+    pub fn grip_bore_mm(&self) -> f64 {
+        self.rods.rod_diameter_mm + self.fit.grip_clearance_mm
+    }
+
+    /// Bore in which a rod slides, mm.
+    pub fn slide_bore_mm(&self) -> f64 {
+        self.rods.rod_diameter_mm + self.fit.slide_clearance_mm
     }
 
     /// Length that its rods are sold in, mm: a metre of a rod that nobody named.

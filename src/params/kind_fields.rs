@@ -1,7 +1,7 @@
 //! Which fields of a bought part only some kinds have.
 
 /// Fields that only some kinds of bought part have, and those kinds; every kind has the others.
-const KINDS_OF: [(&str, &[&str]); 23] = [
+const KINDS_OF: [(&str, &[&str]); 24] = [
     ("diameter_mm", &["rod", "propeller"]),
     ("stock_length_mm", &["rod"]),
     ("material", &["rod"]),
@@ -18,6 +18,7 @@ const KINDS_OF: [(&str, &[&str]); 23] = [
     ("hole_pitch_mm", &["sensor"]),
     ("board_thickness_mm", &["board"]),
     ("all_in_one", &["board"]),
+    ("digital", &["fpv_camera"]),
     ("cells", &["battery"]),
     ("capacity_mah", &["battery"]),
     ("strap_mm", &["other"]),

@@ -262,6 +262,14 @@ fn known_names(kind: &str) -> String {
         "material" => "`flexframe list materials` lists the materials; [override.materials.NAME] describes one of your own".into(),
         "printer" => "`flexframe list printers` lists the printers; [override.printers.NAME] describes one of your own".into(),
         ROLE => format!("the roles are {}", super::roles::ROLES.iter().map(|(role, ..)| *role).collect::<Vec<_>>().join(", ")),
+        "entry of printers" => "`flexframe list printers` lists the printers; one of your own is chosen by `printer`".into(),
+        "entry of materials" => {
+            "`flexframe list materials` lists the materials; one of your own states its `kind`, or is chosen under [materials] or by a rod"
+                .into()
+        }
+        "entry of parts" => {
+            "`flexframe list parts` lists the bought parts; one of your own states its `kind`, or is chosen under [bought]".into()
+        }
         _ => "`flexframe list parts` lists the bought parts; [override.parts.NAME] describes one of your own".into(),
     }
 }

@@ -39,16 +39,6 @@ struct Relation {
 const ANY: fn(&Frame) -> bool = |_| true;
 const WITH_COMPUTER: fn(&Frame) -> bool = |frame| frame.bought.contains_key("computer");
 
-/// Width of a bore in which a rod slides, mm.
-fn slide_mm(frame: &Frame) -> f64 {
-    frame.rods.rod_diameter_mm + frame.fit.slide_clearance_mm
-}
-
-/// Width of a bore that grips a rod, mm.
-fn grip_mm(frame: &Frame) -> f64 {
-    frame.rods.rod_diameter_mm + frame.fit.grip_clearance_mm
-}
-
 /// The relations that hold for every frame, in the order in which they are asked.
 static RELATIONS: [Relation; 19] = [
     Relation {
@@ -56,7 +46,7 @@ static RELATIONS: [Relation; 19] = [
         what: "the wall of the hub joint's sockets",
         remedy: "raise hub_joint_diameter_mm or lower rod_diameter_mm",
         of: ANY,
-        value_mm: |f| 0.5 * (f.hub_joint.hub_joint_diameter_mm - slide_mm(f)),
+        value_mm: |f| 0.5 * (f.hub_joint.hub_joint_diameter_mm - f.slide_bore_mm()),
         least_mm: |_| THINNEST_MM,
     },
     Relation {
@@ -64,7 +54,7 @@ static RELATIONS: [Relation; 19] = [
         what: "the wall of the motor mount's rings",
         remedy: "raise motor_ring_diameter_mm or lower rod_diameter_mm",
         of: ANY,
-        value_mm: |f| 0.5 * (f.motor_mount.motor_ring_diameter_mm - slide_mm(f)),
+        value_mm: |f| 0.5 * (f.motor_mount.motor_ring_diameter_mm - f.slide_bore_mm()),
         least_mm: |_| THINNEST_MM,
     },
     Relation {
@@ -105,7 +95,7 @@ static RELATIONS: [Relation; 19] = [
         remedy: "raise arm_pitch_mm or lower motor_plate_diameter_mm",
         of: ANY,
         value_mm: |f| f.hub_joint.arm_pitch_mm - f.motor_mount.motor_plate_diameter_mm,
-        least_mm: |f| slide_mm(f) + 1.0,
+        least_mm: |f| f.slide_bore_mm() + 1.0,
     },
     Relation {
         key: "hub_joint.hub_leg_mouth_mm",
@@ -152,7 +142,7 @@ static RELATIONS: [Relation; 19] = [
         what: "the wall above the fork's bores",
         remedy: "raise fork_bar_height_mm or lower rod_diameter_mm",
         of: ANY,
-        value_mm: |f| 0.5 * (f.fork.fork_bar_height_mm - grip_mm(f)),
+        value_mm: |f| 0.5 * (f.fork.fork_bar_height_mm - f.grip_bore_mm()),
         least_mm: |_| THINNEST_MM,
     },
     Relation {
@@ -168,7 +158,7 @@ static RELATIONS: [Relation; 19] = [
         what: "the knee, with a millimetre of play between the fork's cheeks,",
         remedy: "lower fork_cheek_gap_mm or raise knee_side_wall_mm: nothing would guide the knee",
         of: ANY,
-        value_mm: |f| grip_mm(f) + 2.0 * f.knee.knee_side_wall_mm + CHEEK_PLAY_MM,
+        value_mm: |f| f.grip_bore_mm() + 2.0 * f.knee.knee_side_wall_mm + CHEEK_PLAY_MM,
         least_mm: |f| f.fork.fork_cheek_gap_mm,
     },
     Relation {
@@ -200,7 +190,7 @@ static RELATIONS: [Relation; 19] = [
         what: "the notch above the hinge's web",
         remedy: "lower corner_hinge_thickness_mm: the web would fill the socket's height",
         of: ANY,
-        value_mm: |f| f.corner.corner_wall_mm + 0.5 * grip_mm(f) + 0.6 - f.corner.corner_hinge_thickness_mm,
+        value_mm: |f| f.corner.corner_wall_mm + 0.5 * f.grip_bore_mm() + 0.6 - f.corner.corner_hinge_thickness_mm,
         least_mm: |_| 0.0,
     },
 ];
@@ -213,8 +203,8 @@ static OF_LENGTHS: [Relation; 2] = [
         remedy: "lower motor_position_mm or raise {longer}: the mount's rings would run into the fork",
         of: ANY,
         value_mm: |f| {
-            let arm_ends_mm = f.hub.hub_mouth_mm + f.rods.arm_rod_length_mm + f.rods.arm_rod_slack_mm;
-            arm_ends_mm - f.fork.fork_socket_depth_mm - 0.5 * f.motor_mount.motor_ring_width_mm - f.motor_mount.motor_position_mm
+            let mount = &f.motor_mount;
+            f.fork_bottom_mm() - f.fork.fork_socket_depth_mm - 0.5 * mount.motor_ring_width_mm - mount.motor_position_mm
         },
         least_mm: |_| 0.0,
     },

@@ -11,7 +11,7 @@ use super::frame_file::{FrameFile, Value};
 use super::groups::*;
 use super::load_error::LoadError;
 use super::parameter::Parameter;
-use super::read::{bad_entry, in_one_line, text, to_blame};
+use super::read::{bad_entry, in_one_line, stated_text, text, to_blame};
 use super::refusal::{ROLE, Reason, Refusal, nearest};
 use super::roles::{NEEDED, ROLES};
 use super::sleeve_direction::SleeveDirection;
@@ -64,6 +64,7 @@ impl Frame {
             rigid: catalogues.rigid(file)?,
             rod_material: catalogues.rod_material(file, &bought)?,
             printer: catalogues.printer(file)?,
+            printer_name: stated_text(file, "printer")?,
             bought,
             extras: extras(file)?,
         };

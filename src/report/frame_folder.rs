@@ -7,6 +7,7 @@ use rayon::prelude::*;
 use super::page::{print_settings, summary};
 use super::picture::{plate_picture, scene};
 use crate::checks::Finding;
+use crate::export::bill::bill;
 use crate::export::{self, ExportError, Exported, File, Format, manifest, step, three_mf};
 use crate::frame::assembly::compensated::Compensated;
 use crate::frame::assembly::mass::MassTable;
@@ -80,7 +81,8 @@ pub fn followed(
     let meshes = compensated(design)?;
     // What lies on no bed is a finding of `check`; the parts are written all the same.
     let plates = with_pictures(design, plates::arrange_what_fits(design, &plates::all(design)));
-    let of = Exported { design, masses, meshes: &meshes, plates: &plates };
+    let bill = bill(design, masses, None);
+    let of = Exported { design, masses, bill: &bill, meshes: &meshes, plates: &plates };
     let mut files = Vec::new();
     let formats: Vec<_> = export::CATALOGUE.iter().filter(|format| choice.asks_for(format)).collect();
     for format in &formats {
@@ -97,7 +99,7 @@ pub fn followed(
         let Some(pictures) = scene::pictures_followed(design, &bare, begins) else { return Ok(None) };
         files.extend(pictures.into_iter().map(|(path, bytes)| File::new(path, bytes)));
     }
-    files.push(File::new("report.md", summary::markdown(design, masses, findings, &plates, choice.pictures).into_bytes()));
+    files.push(File::new("report.md", summary::markdown(design, masses, &bill, findings, &plates, choice.pictures).into_bytes()));
     let manifest = manifest::manifest(design, &meshes, masses, &files);
     let text = manifest::signed_text(&manifest).map_err(ExportError::of("manifest.json"))?;
     files.push(File::new("manifest.json", text.into_bytes()));
@@ -112,7 +114,8 @@ pub fn format_files(design: &Design, masses: &MassTable, format: &Format) -> Res
     let needs_plates = format.extension == three_mf::FORMAT.extension;
     let plates = if needs_plates { plates::arrange_what_fits(design, &plates::all(design)) } else { Vec::new() };
     let plates = with_pictures(design, plates);
-    Ok((format.files)(&Exported { design, masses, meshes: &compensated(design)?, plates: &plates })?)
+    let (bill, meshes) = (bill(design, masses, None), compensated(design)?);
+    Ok((format.files)(&Exported { design, masses, bill: &bill, meshes: &meshes, plates: &plates })?)
 }
 
 /// The files of these plates, and how to print them.
@@ -123,7 +126,8 @@ pub fn plate_files(design: &Design, plates: Vec<Plate>) -> Result<Vec<File>, Fol
     let (masses, plates) = (mass::table(design), with_pictures(design, plates));
     let lies_on_one = |name| plates.iter().any(|(plate, _)| plate.items.iter().any(|item| item.part == name));
     let meshes = Compensated::some(design, lies_on_one).map_err(|error| refusal(design, error))?;
-    let of = Exported { design, masses: &masses, meshes: &meshes, plates: &plates };
+    let bill = bill(design, &masses, None);
+    let of = Exported { design, masses: &masses, bill: &bill, meshes: &meshes, plates: &plates };
     let mut files = (three_mf::FORMAT.files)(&of)?;
     files.push(settings_page(design, &plates));
     Ok(files)

@@ -1,7 +1,7 @@
 //! Figures of a frame's bill of materials that a study can say of each row.
 
-use crate::export::bill::{Bill, BuyLine, bill};
-use crate::variant::{Better, Evaluation};
+use crate::export::bill::{Bill, BuyLine};
+use crate::variant::Better;
 
 /// A figure of the bill.
 pub struct BillFigure {
@@ -22,9 +22,9 @@ pub static BILL_FIGURES: [BillFigure; 3] = [
 ];
 
 impl BillFigure {
-    /// Of a frame; none where the bill does not say it.
-    pub(super) fn of_frame(&self, evaluation: &Evaluation) -> Option<f64> {
-        (self.of)(&bill(&evaluation.design, &evaluation.masses, None))
+    /// Of a bill; none where it does not say it.
+    pub(super) fn of_bill(&self, bill: &Bill) -> Option<f64> {
+        (self.of)(bill)
     }
 }
 
@@ -48,6 +48,7 @@ fn price(bill: &Bill) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::export::bill::bill;
     use crate::frame::assembly::{Design, mass};
     use crate::params::{Frame, FrameFile};
 

@@ -3,6 +3,7 @@
 use super::bill_figure::{BILL_FIGURES, BillFigure};
 use super::recovery::RecoveryMeasure;
 use crate::checks::{CATALOGUE, Rule, Verdict};
+use crate::export::bill::Bill;
 use crate::variant::{Better, Evaluation, MEASURES, Measure, caveats};
 
 /// A column of figures.
@@ -112,8 +113,8 @@ impl Column {
         }
     }
 
-    /// Its figure of a frame; none where the frame has no such thing.
-    pub(super) fn of_frame(&self, evaluation: &Evaluation) -> Option<f64> {
+    /// Its figure of a frame, whose bill is made where a column asks for it; none where the frame has no such thing.
+    pub(super) fn of_frame<'a>(&self, evaluation: &Evaluation, bill: impl Fn() -> &'a Bill) -> Option<f64> {
         match self {
             Self::Measure(measure) => measure.of(evaluation),
             Self::Margin(rule) => {
@@ -123,7 +124,7 @@ impl Column {
                 says.map(|finding| finding.margin).filter(|margin| margin.is_finite()).reduce(f64::min)
             }
             Self::Violations => Some(evaluation.findings.iter().filter(|f| f.verdict == Verdict::Violated).count() as f64),
-            Self::Bill(figure) => figure.of_frame(evaluation),
+            Self::Bill(figure) => figure.of_bill(bill()),
             Self::Recovery(_) => None,
         }
     }

@@ -1,5 +1,6 @@
 //! From a row of a study to its figures.
 
+use std::cell::LazyCell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 
@@ -10,6 +11,7 @@ use super::plan::{Frames, Study, Subject};
 use super::recovery::{RecoveryMeasure, Worker};
 use super::sampling::Sampling;
 use crate::checks::{CATALOGUE, Cost, Rule};
+use crate::export::bill::bill;
 use crate::frame::assembly::Design;
 use crate::memo::Memo;
 use crate::params::Frame;
@@ -82,6 +84,7 @@ impl<'a> Evaluator<'a> {
             None => evaluation,
             Some(settings) => evaluation.strengthened(settings).map_err(|error| error.to_string())?,
         };
-        Ok(self.study.columns.iter().map(|column| column.of_frame(&evaluation)).collect())
+        let bill = LazyCell::new(|| bill(&evaluation.design, &evaluation.masses, None));
+        Ok(self.study.columns.iter().map(|column| column.of_frame(&evaluation, || &bill)).collect())
     }
 }

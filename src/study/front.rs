@@ -3,7 +3,7 @@
 use super::column::Column;
 use super::outcomes::Outcomes;
 use super::plan::Study;
-use crate::variant::{Better, beats};
+use crate::variant::{Better, beats, resolved};
 
 /// There is no front of these goals.
 #[derive(Debug, thiserror::Error, PartialEq, Eq)]
@@ -32,7 +32,7 @@ fn goals(study: &Study) -> Vec<(usize, Column)> {
 }
 
 /// The rows of which no other keeps every limit that the study looks at and is better in one of the goals and in none worse, by the
-/// first goal; with each the goals' figures. Rows that violate a limit are left out where the study counts violations.
+/// first goal; with each the goals' figures, which are compared by five digits. Rows that violate a limit are left out where the study counts violations.
 ///
 /// # Errors
 /// When the study does not have a goal among its columns.
@@ -54,8 +54,9 @@ pub fn front(study: &Study, outcomes: &Outcomes, names: &[String]) -> Result<Vec
     let of_row = |row: usize| wanted.iter().map(|(at, _)| outcomes.figure(row, *at)).collect::<Option<Vec<f64>>>();
     let mut candidates: Vec<(usize, Vec<f64>)> =
         (0..study.rows()).filter(|row| keeps(*row)).filter_map(|row| Some((row, of_row(row)?))).collect();
-    let worth =
-        |figures: &[f64]| -> Vec<f64> { wanted.iter().zip(figures).map(|((_, column), figure)| column.better().sign() * figure).collect() };
+    let worth = |figures: &[f64]| -> Vec<f64> {
+        wanted.iter().zip(figures).map(|((_, column), figure)| resolved(column.better().sign() * figure)).collect()
+    };
     candidates.sort_by(|(a_row, a), (b_row, b)| {
         let (a, b) = (worth(a), worth(b));
         let first = a.iter().zip(&b).map(|(a, b)| a.total_cmp(b)).find(|order| order.is_ne());

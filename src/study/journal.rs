@@ -33,11 +33,13 @@ pub struct Journal {
 }
 
 #[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 struct First {
     study: String,
 }
 
 #[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 struct Line {
     row: usize,
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -89,6 +91,9 @@ impl Journal {
                 (None, Some(why)) => Outcome::Refused(why),
                 _ => return Err(JournalError::Unreadable { line: at + 1 }),
             };
+            if row >= study.rows() || outcomes.of(row).is_some_and(|known| *known != outcome) {
+                return Err(JournalError::Unreadable { line: at + 1 });
+            }
             outcomes.learn(row, outcome);
         }
         Ok(Self { outcomes, whole })
@@ -143,10 +148,17 @@ mod tests {
             b"{\"row\":1,\"refused\":\"\xff\"}\n",
             b"{\"row\":1,\"figures\":[1.0]}\n",
             b"nothing\n",
+            b"{\"row\":40,\"figures\":[1,2]}\n",
+            b"{\"row\":1,\"figures\":[1,2],\"bogus\":3}\n",
             b"{\"row\":1,\"figures\":[1,2],\"refused\":\"no\"}\n",
         ] {
             let text = [own.as_bytes(), wrong].concat();
             assert!(matches!(Journal::read(&study(40), &text), Err(JournalError::Unreadable { line: 2 })), "{wrong:?}");
         }
+        // The same row twice may be there, as two runs may have evaluated it; with other figures one of both is wrong.
+        let figures = |mass: f64| line(1, &Outcome::Figures(vec![Some(mass), None]));
+        let read = |second: f64| Journal::read(&study(40), [own.clone(), figures(1.0), figures(second)].concat().as_bytes());
+        assert_eq!(read(1.0).expect("reads").outcomes.known(), 1);
+        assert!(matches!(read(2.0), Err(JournalError::Unreadable { line: 3 })));
     }
 }

@@ -81,8 +81,8 @@ fn of_frames(file: ImpactFile, folder: &Path, files: &dyn Files) -> Result<Study
     let (axes, sampling, listed) = match text(&file, "table")? {
         Some(table) => {
             none_of(&file, &["sampling", "samples", "points", "seed"], "a table")?;
-            let listed = read(&beside(folder, table), files)?;
-            let (axes, rows) = samples(&file, &listed, &base, &frame)?;
+            let listed = read(&beside(folder, table.clone()), files)?;
+            let (axes, rows) = samples(&file, &table, &listed, &base, &frame)?;
             (axes, Sampling::Table { rows: Arc::new(rows) }, listed)
         }
         None => {
@@ -134,6 +134,9 @@ fn columns(file: &ImpactFile) -> Result<Vec<Column>, Refusal> {
     let names = file.texts("measures")?.unwrap_or_else(|| MEASURES.map(String::from).to_vec());
     let known = Column::names();
     let mut columns: Vec<Column> = Vec::new();
+    if let Some(name) = names.iter().enumerate().find_map(|(at, name)| names[..at].contains(name).then_some(name)) {
+        return Err(file.refuse("measures", impossible(format!("`{name}` is stated twice"), "state each measure once".into())));
+    }
     for name in names {
         for column in named(file, "measures", "measure", &name, Column::of(&name), &known)? {
             if columns.iter().all(|known| known.name() != column.name()) {

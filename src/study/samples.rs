@@ -13,14 +13,21 @@ use crate::params::{Frame, FrameFile, ImpactFile};
 /// Most columns: each is looked up among the keys of a frame.
 const MOST_COLUMNS: usize = 1000;
 
-/// The axes and rows of a table of samples: a head of keys, then numbers and names. Whether they make frames is not looked at.
+/// The axes and rows of a table of samples that a plan names: a head of keys, then numbers and names. Whether they make frames is not looked at.
 ///
 /// # Errors
 /// When the table is none, a key is none of a frame's or follows from the base's target size, or the plan, which names it, lets something vary
 /// beside it.
-pub fn samples(file: &ImpactFile, text: &str, base: &FrameFile, frame: &Frame) -> Result<(Vec<Axis>, Vec<Vec<Input>>), Refusal> {
-    let refuse =
-        |message: String| file.refuse("table", impossible(message, "a head of keys, then a row a frame, with commas between".into()));
+pub fn samples(
+    file: &ImpactFile,
+    name: &str,
+    text: &str,
+    base: &FrameFile,
+    frame: &Frame,
+) -> Result<(Vec<Axis>, Vec<Vec<Input>>), Refusal> {
+    let refuse = |message: String| {
+        file.refuse("table", impossible(format!("{name}: {message}"), "a head of keys, then a row a frame, with commas between".into()))
+    };
     if file.entries.keys().any(|key| key.starts_with("vary.") || key.starts_with("choose.")) {
         return Err(refuse("with a table, its columns vary, and nothing else".into()));
     }
@@ -50,7 +57,8 @@ pub fn samples(file: &ImpactFile, text: &str, base: &FrameFile, frame: &Frame) -
                 }
                 Axis::Number(_) | Axis::Listed(_) | Axis::Stated(_) => {
                     let number = field.parse::<f64>().ok().filter(|value| value.is_finite());
-                    Input::Number(number.ok_or_else(|| refuse(format!("row {at}: {field:?} is no number for {}", axis.key())))?)
+                    let none = || refuse(format!("row {at}, as `study.csv` counts: {field:?} is no number for {}", axis.key()));
+                    Input::Number(number.ok_or_else(none)?)
                 }
             });
         }

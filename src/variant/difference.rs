@@ -87,7 +87,7 @@ fn parameter_changes(frames: [&Frame; 2]) -> Vec<Changed> {
     choices.push(("materials.flexible".into(), frames.map(|frame| frame.flexible.name.clone())));
     choices.push(("materials.rigid".into(), frames.map(|frame| frame.rigid.name.clone())));
     choices.push((SleeveDirection::KEY.into(), frames.map(|frame| frame.sleeve_direction.word().into())));
-    choices.push(("printer".into(), frames.map(|frame| frame.printer.name.clone())));
+    choices.push(("printer".into(), frames.map(|frame| frame.printer_name.clone())));
     let choices = choices.into_iter().filter(|(_, [a, b])| a != b).map(|(name, reported)| Changed::words(name, reported));
     numbers.chain(choices).chain(stated_values::changes(frames)).collect()
 }

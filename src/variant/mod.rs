@@ -34,7 +34,7 @@ pub use create::{CreateError, Creation, Moved, Request, create, movable};
 pub use difference::{Difference, Side, why_not_compared};
 pub use ended::Ended;
 pub use goal::{Goal, GoalError, Increase, Sense};
-pub use measures::{Better, Evaluation, MEASURES, MECHANICS_CAVEAT, Measure, beats, caveats, measure, measure_names, units};
+pub use measures::{Better, Evaluation, MEASURES, MECHANICS_CAVEAT, Measure, beats, caveats, measure, measure_names, resolved, units};
 pub use motor_screw::fitting_motor_screw;
 pub use pareto::{Front, FrontPoint, front};
 pub use peak::{PEAK_CAVEAT, PredictedPeak, predicted_peak};

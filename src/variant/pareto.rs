@@ -11,7 +11,7 @@ use super::ended::Ended;
 use super::feasible::find;
 use super::goal::broken;
 use super::improve::{REGIONS, settle};
-use super::measures::{Evaluation, Measure, beats};
+use super::measures::{Evaluation, Measure, beats, resolved};
 use super::problem::{SearchProblem, SolveError, Vary};
 use super::search::{Search, ranked};
 use super::solve::{ended, solve_by, start_values};
@@ -167,7 +167,7 @@ fn undominated(search: &Search, refused: &[Vec<f64>]) -> Vec<Signed> {
 /// Those of them that are reported: at most so many, by the first goal, spread over the front's length.
 fn picked(mut kept: Vec<Signed>) -> Vec<Vec<f64>> {
     kept.sort_by(|(_, a), (_, b)| a[0].total_cmp(&b[0]));
-    kept.dedup_by(|(_, a), (_, b)| a == b);
+    kept.dedup_by(|(_, a), (_, b)| a.iter().zip(b.iter()).all(|(a, b)| resolved(*a) == resolved(*b)));
     let count = kept.len().min(MOST);
     (0..count).map(|at| kept[at * (kept.len() - 1) / (count - 1).max(1)].0.clone()).collect()
 }

@@ -1,4 +1,4 @@
-//! What frame files state of parts, materials and printers that both call by one name, and of their extras, where it differs.
+//! What frame files state of parts, materials and printers, and of their extras, where it differs.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -7,8 +7,8 @@ use serde_json::Value;
 
 use super::changed::Changed;
 use crate::figures::decimals;
-use crate::params::Frame;
 use crate::params::frame::Extra;
+use crate::params::{Frame, preset};
 
 /// Ends of the keys that say where a figure comes from: another source is no other frame.
 const SOURCE: &str = "source";
@@ -18,22 +18,54 @@ const PLACES: usize = 3;
 /// Values by their path in a frame file.
 type Stated = BTreeMap<String, Value>;
 
-/// Values that differ of what is on both sides, and extras, those of one side alone, too.
+/// Values that differ of what is on both sides; of what one side has alone, those that its file states; and extras.
 pub(super) fn changes(frames: [&Frame; 2]) -> Vec<Changed> {
     let entries = frames.map(entries);
-    let on_both = entries[0].iter().filter_map(|(path, a)| Some((path, [a, entries[1].get(path)?])));
-    let mut changes: Vec<Changed> = on_both.flat_map(|(path, values)| differing(path, values.map(fields))).collect();
+    let shipped = if entries[0].keys().eq(entries[1].keys()) { Stated::new() } else { shipped() };
+    let paths: BTreeSet<&String> = entries.iter().flat_map(BTreeMap::keys).collect();
+    let of_path = |path: &String| {
+        let sides = entries.each_ref().map(|side| side.get(path).map(fields));
+        match sides {
+            [Some(a), Some(b)] => differing(path, [a, b]),
+            one_side => {
+                let as_shipped = shipped.get(path).map(fields).unwrap_or_default();
+                differing(path, one_side.map(|side| side.map_or(Stated::new(), |own| without(own, &as_shipped))))
+            }
+        }
+    };
+    let mut changes: Vec<Changed> = paths.into_iter().flat_map(of_path).collect();
     changes.extend(differing("extras", frames.map(extras)));
     changes
 }
 
 /// What a frame takes from the catalogue, by the table in which a file states other values of it.
 fn entries(frame: &Frame) -> Stated {
-    let parts = frame.bought.values().map(|item| (format!("override.parts.{}", item.name), value(&item.part)));
+    let parts = frame.bought.values().map(|item| (path("parts", &item.name), value(&item.part)));
     let materials = [&frame.flexible, &frame.rigid, &frame.rod_material];
-    let materials = materials.map(|named| (format!("override.materials.{}", named.name), value(&named.material)));
-    let printer = (format!("override.printers.{}", frame.printer.name), value(&frame.printer));
+    let materials = materials.map(|named| (path("materials", &named.name), value(&named.material)));
+    let printer = (path("printers", &frame.printer_name), value(&frame.printer));
     parts.chain(materials).chain([printer]).collect()
+}
+
+/// The same of all that the catalogues hold.
+fn shipped() -> Stated {
+    let parts = preset::bought_parts().into_iter().map(|(name, part)| (path("parts", &name), value(&part)));
+    let materials = preset::materials().into_iter().map(|(name, material)| (path("materials", &name), value(&material)));
+    let printers = preset::printers().into_iter().map(|(name, printer)| (path("printers", &name), value(&printer)));
+    parts.chain(materials).chain(printers).collect()
+}
+
+/// The table of an entry in a frame file; a name with a dot stands in quotes there.
+fn path(catalogue: &str, name: &str) -> String {
+    let is_bare = name.chars().all(|letter| letter.is_ascii_alphanumeric() || matches!(letter, '-' | '_'));
+    let name = if is_bare { name.into() } else { Value::from(name).to_string() };
+    format!("override.{catalogue}.{name}")
+}
+
+/// The values that are none of these.
+fn without(mut own: Stated, of: &Stated) -> Stated {
+    own.retain(|key, value| of.get(key) != Some(value));
+    own
 }
 
 /// Mass, position and covered roles of each extra, by its name and the key.
@@ -112,9 +144,18 @@ mod tests {
     }
 
     #[test]
+    fn planted_values_of_what_one_side_has_alone_are_told() {
+        let own = "printer = \"ender-3\"\n[override.printers.ender-3]\nhole_undersize_mm = 0.3\n";
+        assert_eq!(reported("", own), [line("override.printers.ender-3.hole_undersize_mm", ["", "0.30"])]);
+        let dotted = "[override.printers.\"generic-0.4\"]\nhole_undersize_mm = 0.15\n";
+        assert_eq!(reported(dotted, own)[0], line("override.printers.\"generic-0.4\".hole_undersize_mm", ["0.15", ""]));
+    }
+
+    #[test]
     fn analytic_another_source_or_another_name_is_no_other_value() {
         assert_eq!(reported("", "override.materials.tpu-95a.source = \"another table\"\n"), []);
         assert_eq!(reported("", "materials.flexible = \"tpu-85a\"\n"), []);
+        assert_eq!(reported("", "printer = \"prusa-mini\"\n"), []);
         assert_eq!(reported("", ""), []);
     }
 }

@@ -3,7 +3,7 @@
 use crate::common;
 use std::f64::consts::{PI, TAU};
 
-use flexframe::frame::assembly::BoughtPart;
+use flexframe::frame::assembly::CentreBody;
 use flexframe::frame::assembly::Design;
 use flexframe::params::{Frame, preset};
 use flexframe::solid::{Brep, Contour, Feature, MeshSolid, Profile, SEGMENTS_PER_TURN, Segment, gate};
@@ -86,7 +86,7 @@ fn chord_error_mm3(feature: &Feature) -> f64 {
 fn solids(design: &Design) -> Vec<(String, Feature)> {
     let (frame, centre) = (&design.frame, &design.centre);
     let mut solids: Vec<(String, Feature)> = design.printed.iter().map(|part| (part.name.to_string(), part.feature.clone())).collect();
-    solids.extend(BoughtPart::ALL.into_iter().filter_map(|part| Some((part.slug().to_string(), part.feature(frame, centre)?))));
+    solids.extend(CentreBody::ALL.into_iter().filter_map(|part| Some((part.slug().to_string(), part.feature(frame, centre)?))));
     let radius = 0.5 * frame.rods.rod_diameter_mm;
     solids.extend(
         design

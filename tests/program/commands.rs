@@ -79,6 +79,7 @@ fn regress_a_built_folder_holds_what_the_catalogue_of_formats_makes() {
 
 #[test]
 fn planted_a_format_of_its_own_reaches_the_manifest() {
+    use export::bill::bill;
     use export::{ExportError, Exported, File, Format};
     use flexframe::frame::assembly::compensated::Compensated;
     use flexframe::frame::assembly::{Design, mass};
@@ -91,7 +92,9 @@ fn planted_a_format_of_its_own_reaches_the_manifest() {
 
     let design = Design::new(Frame::load("cognifly-mini").expect("a preset").0).expect("closes");
     let (masses, meshes) = (mass::table(&design), Compensated::of(&design).expect("passes the gate"));
-    let made = (TOY.files)(&Exported { design: &design, masses: &masses, meshes: &meshes, plates: &[] }).expect("makes its files");
+    let made =
+        (TOY.files)(&Exported { design: &design, masses: &masses, bill: &bill(&design, &masses, None), meshes: &meshes, plates: &[] })
+            .expect("makes its files");
     let manifest = export::manifest::manifest(&design, &meshes, &masses, &made);
     for part in &manifest.parts {
         assert_eq!(part.files, [format!("parts/{}.toy", part.name)]);

@@ -191,7 +191,7 @@ static BASE: LazyLock<(FrameFile, Frame)> = LazyLock::new(|| {
 
 /// Each row has a figure or a name for each column. That rows become frames is for `study_plans` and `amended_frames`.
 fn study_samples(bytes: &[u8]) -> bool {
-    taken(samples(&SAMPLED, &text(bytes), &BASE.0, &BASE.1).map_err(LoadError::Refused).map(|(axes, rows)| {
+    taken(samples(&SAMPLED, "table.csv", &text(bytes), &BASE.0, &BASE.1).map_err(LoadError::Refused).map(|(axes, rows)| {
         assert!(!rows.is_empty() && rows.iter().all(|row| row.len() == axes.len()));
     }))
 }

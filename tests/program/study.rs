@@ -322,6 +322,7 @@ fn planted_plans_that_cannot_be_are_refused_at_their_line() {
         (format!("sampling = \"halton\"\n{vary}"), "latin_hypercube"),
         (format!("sampling = \"sobol\"\nsamples = 65537\n{vary}"), "65536"),
         (format!("measures = [\"mas\"]\n{vary}"), "`mass`"),
+        (format!("measures = [\"mass\", \"peak\", \"mass\"]\n{vary}"), "`mass` is stated twice"),
         (format!("sample = 3\n{vary}"), "`samples`"),
         ("[vary]\narm_rodd = [70, 80]\n".into(), "no parameter `arm_rodd`"),
         ("[vary]\narm_rod = [80, 70]\n".into(), "no range"),
@@ -351,7 +352,7 @@ fn planted_plans_that_cannot_be_are_refused_at_their_line() {
     fs::write(desk.path().join("t.csv"), "arm_rod,bought.rod\n78,rod-carbon-3\nx,rod-carbon-3\n").expect("can be written");
     fs::write(desk.path().join("s.toml"), "table = \"t.csv\"\n").expect("can be written");
     let (code, _, err) = desk.run(&["plan", "s.toml"]);
-    assert!(code == 2 && err.contains("row 1: \"x\" is no number for rods.arm_rod_length_mm"), "{err}");
+    assert!(code == 2 && err.contains("t.csv: row 1, as `study.csv` counts: \"x\" is no number for rods.arm_rod_length_mm"), "{err}");
     fs::write(desk.path().join("t.csv"), "arm_rod,rods.arm_rod_length_mm\n78,79\n").expect("can be written");
     let (code, _, err) = desk.run(&["plan", "s.toml"]);
     assert!(code == 2 && err.contains("`rods.arm_rod_length_mm` has two columns"), "{err}");

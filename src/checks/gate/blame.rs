@@ -117,7 +117,7 @@ pub(super) fn masses_named(rule: &Rule, masses: &MassTable) -> String {
 
 /// Where a lever that no file states comes from: the bought part that it follows, its own figures first.
 fn followed(lever: &str, masses: &MassTable) -> Vec<String> {
-    let bought = |role: &str| masses.lines.iter().find(|line| line.kind == LineKind::Bought && line.name == role);
+    let bought = |role: &str| masses.bought(role);
     let Some(role) = follows::role_among(lever.rsplit('.').next().unwrap_or(lever), |role| bought(role).is_some()) else {
         return Vec::new();
     };

@@ -11,7 +11,8 @@ pub(super) const HEIGHT: &[&str] = &["battery.battery_height_mm", "bought.batter
 /// Room across beyond a pack, mm: a choice, for a pack that swells and for a pad of foam.
 const LOOSE_MM: f64 = 3.0;
 
-/// A stated size is that of the battery or more, as for a pack that swells, and across not much more. Where none is stated there is nothing to compare.
+/// A stated size is that of the battery or more, as for a pack that swells, and across not much more; along the sleeve a warning tells of more. Where
+/// none is stated there is nothing to compare.
 pub(super) fn sizes(frame: &Frame) -> Vec<Finding> {
     let Some(lies_mm) = frame.battery_as_it_lies_mm() else { return Vec::new() };
     let called = name(frame, "battery");
@@ -29,9 +30,15 @@ pub(super) fn sizes(frame: &Frame) -> Vec<Finding> {
         let rattles = format!(
             "sleeve and lid are made for a battery that is {more} mm more than {called} is {way}; beyond {most} mm it rattles and hits their walls"
         );
-        // Along the sleeve the lid's place holds it.
-        let across = (levers != LENGTH).then(|| loose.at_most(format!("battery: how {way}, loose"), rattles));
-        [Some(size.at_least(format!("battery: how {way}"), message)), across].into_iter().flatten()
+        let subject = format!("battery: how {way}, loose");
+        // Along the sleeve the tape between pack and lid holds it.
+        let loose = if levers != LENGTH {
+            Some(loose.at_most(subject, rattles))
+        } else {
+            (loose.value > LOOSE_MM)
+                .then(|| loose.note(subject, format!("{called} leaves {more} mm of its space empty, and nothing but tape holds it there")))
+        };
+        [Some(size.at_least(format!("battery: how {way}"), message)), loose].into_iter().flatten()
     };
     other.flat_map(findings).collect()
 }
@@ -56,7 +63,8 @@ mod tests {
         let violated = |subject: &str| (subject.to_string(), Verdict::Violated);
         assert_eq!(of([58.0, 31.0, 17.0]), [holds("battery: how high"), holds("battery: how high, loose")], "a pack that swells");
         assert_eq!(of([58.0, 31.0, 20.0]), [holds("battery: how high"), violated("battery: how high, loose")]);
-        assert_eq!(of([90.0, 31.0, 16.0]), [holds("battery: how long")]);
+        assert_eq!(of([60.0, 31.0, 16.0]), [holds("battery: how long")]);
+        assert_eq!(of([90.0, 31.0, 16.0]), [holds("battery: how long"), ("battery: how long, loose".into(), Verdict::Note)]);
         // Too narrow for the pack as it is bought, and not made for one on its side.
         assert_eq!(of([58.0, 15.0, 16.0])[0], violated("battery: how wide"));
         let small = of([45.0, 25.0, 12.0]);

@@ -8,6 +8,7 @@ mod above_ring;
 mod battery;
 mod carrier;
 mod comparison;
+mod connector;
 mod holes;
 mod loose;
 mod made_for;
@@ -20,6 +21,7 @@ use above_ring::{FPV_CAMERA, MAST, RISER, SLENDER};
 use battery::{HEIGHT, LENGTH, WIDTH};
 use carrier::{CARRIER_HOLES, ON_BOARD, ON_FEET};
 use comparison::ID;
+use connector::HALVES;
 use holes::{
     CAMERA_ALONE, CAMERA_HOLES, COMPUTER_ALONE, COMPUTER_HOLES, CONNECTOR_HOLES, FLIGHT_HOLES, MOTOR_HOLES, PLATE_HOLES, SENSOR_ALONE,
     SENSOR_HOLES, SHAFT, SLOTS, STACK_HOLES, TIED,
@@ -87,6 +89,7 @@ pub static RULE: Rule = Rule {
         MAGNET[2],
         CONNECTOR[0],
         CONNECTOR[1],
+        HALVES,
         GRIP,
         PLUGS,
         SLIDE,
@@ -96,7 +99,17 @@ pub static RULE: Rule = Rule {
     ]),
     blame: Blame::Levers,
     in_search: InSearch::Constraints {
-        subjects: &["rod", "screw", "holes", "ties", "propellers on", "propellers in", "battery", "made for"],
+        subjects: &[
+            "rod",
+            "screw",
+            "holes",
+            "ties",
+            "propellers on",
+            "propellers in",
+            "battery",
+            "made for",
+            "connector: the shorter half",
+        ],
         binds: false,
     },
     found: Found::By(&[Pass::quick(check)]),
@@ -121,6 +134,7 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     found.extend(above_ring::mast(&scene.design.frame));
     found.extend(battery::sizes(&scene.design.frame));
     found.extend(made_for::sizes(&scene.design.frame));
+    found.extend(connector::halves(scene));
     found.extend(pockets::held(&scene.design.frame));
     found.extend(loose::rods_and_plugs(&scene.design.frame));
     found

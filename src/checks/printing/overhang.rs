@@ -12,7 +12,7 @@ use crate::checks::rule::{Blame, Found, InSearch, Levers, Limit, Pass, Rule};
 use crate::checks::scene::Scene;
 use crate::figures::decimals;
 use crate::frame::assembly::{Design, Printed};
-use crate::printing::printability::Fault;
+use crate::printing::printability::{Fault, Hanging};
 
 pub static RULE: Rule = Rule {
     id: "overhang",
@@ -27,9 +27,9 @@ pub static RULE: Rule = Rule {
 };
 
 fn finding(hung: &Hung) -> Finding {
-    let worst = hung.worst(Fault::Overhang, |place| place.reach_mm);
-    // What rests on nothing at all reaches endlessly; a finding is a number.
-    let reach_mm = worst.map_or(0.0, |worst| if worst.reach_mm.is_finite() { worst.reach_mm } else { libm::sqrt(worst.area_mm2) });
+    let overhang_mm = |place: &Hanging| place.overhang_mm(&hung.process);
+    let worst = hung.worst(Fault::Overhang, overhang_mm);
+    let reach_mm = worst.map_or(0.0, overhang_mm);
     let limit = hung.process.ledge_mm;
     let measure = Measure { rule: RULE.id, value: reach_mm, limit, unit: "mm", levers: hung.levers() };
     let [reach, allowed] = measure.figures(1);

@@ -1,7 +1,7 @@
 //! No wall is thinner than what the nozzle can lay, two lines side by side; no gap is narrower than a line.
 //!
 //! Measured on the mesh of the design, as it lies in print and without what a printer's `hole_undersize_mm` and `elephant_foot_mm` take
-//! off: walls and gaps in its cuts at the middle of layers, as the nozzle follows them
+//! off; a warning tells of walls that they make too thin in the file that is printed, floors apart: walls and gaps in its cuts at the middle of layers, as the nozzle follows them
 //! ([`Walls`]). Floors and roofs, which no cut shows, by rays from the middle of facets that lie flatter than 45°; where
 //! the opposite facet faces away from the first it is a floor, and the ray's length its thickness. Facets are taken by
 //! size, [`SAMPLES`] a part: a thin spot smaller than the smallest of these is not seen, nor is the edge of a wedge.
@@ -9,13 +9,13 @@
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
-use crate::checks::finding::Finding;
+use crate::checks::finding::{Finding, Verdict};
 use crate::checks::measure::Measure;
 use crate::checks::printing::gap;
 use crate::checks::rule::{Blame, Found, InSearch, Levers, Limit, Pass, Rule};
 use crate::checks::scene::Scene;
 use crate::figures::decimals;
-use crate::frame::assembly::{Design, Printed};
+use crate::frame::assembly::{Design, Printed, compensated};
 use crate::frame::parts::{WallPlace, record};
 use crate::params::PartName;
 use crate::printing::printability::{AREA_MM2, Thin, Walls};
@@ -109,9 +109,8 @@ fn measured(part: &Printed, layer_mm: f64, reach_mm: f64) -> [Option<Thin>; 2] {
 /// The thinnest floor or roof.
 fn floor(part: &Printed, reach_mm: f64) -> Option<Thin> {
     let printed = part.printed();
-    let mut floors: Vec<(Thin, f64)> = facets(part)
+    let mut floors: Vec<(Thin, f64)> = lying_facets(part)
         .into_iter()
-        .filter(|facet| facet.normal.z.abs() >= LYING)
         .filter_map(|facet| facet.wall_mm(&printed, reach_mm).map(|mm| (Thin { mm, at_mm: facet.middle.into() }, facet.area_mm2)))
         .collect();
     floors.sort_by(|a, b| a.0.mm.total_cmp(&b.0.mm));
@@ -136,15 +135,15 @@ impl Facet {
     }
 }
 
-/// The largest facets of the printed mesh.
-fn facets(part: &Printed) -> Vec<Facet> {
+/// The largest facets of the printed mesh that may be of a floor or a roof.
+fn lying_facets(part: &Printed) -> Vec<Facet> {
     let facet = |triangle: &[u32; 3]| {
         let [a, b, c] = part.mesh.corners(triangle);
         let cross = (b - a).cross(&(c - a));
         let middle = Point3::from((a.coords + b.coords + c.coords) / 3.0);
         Facet { middle, normal: cross.normalize(), area_mm2: 0.5 * cross.norm() }
     };
-    let mut all: Vec<Facet> = part.mesh.triangles.iter().map(facet).collect();
+    let mut all: Vec<Facet> = part.mesh.triangles.iter().map(facet).filter(|facet| facet.normal.z.abs() >= LYING).collect();
     all.sort_by(|a, b| b.area_mm2.total_cmp(&a.area_mm2));
     all.truncate(SAMPLES);
     all
@@ -153,7 +152,33 @@ fn facets(part: &Printed) -> Vec<Facet> {
 pub(in crate::checks) fn check(scene: &Scene) -> Vec<Finding> {
     let design = scene.design;
     let found: Vec<[ThinnestWall; 2]> = design.printed.par_iter().map(|part| ThinnestWall::of(design, part)).collect();
-    found.iter().flatten().map(ThinnestWall::finding).collect()
+    let in_files: Vec<Option<Finding>> = design.printed.par_iter().map(|part| in_file(design, part)).collect();
+    found.iter().flatten().map(ThinnestWall::finding).chain(in_files.into_iter().flatten()).collect()
+}
+
+/// A warning of a wall that only the file which is printed has too thin: of what the profile takes off around holes and in the first layer, a slicer
+/// draws what is left.
+fn in_file(design: &Design, part: &Printed) -> Option<Finding> {
+    let printer = &design.frame.printer;
+    let (layer_mm, limit_mm) = (printer.layer_mm(&design.material_of(part.name).material), printer.nozzle_mm * printer.min_wall_nozzles);
+    let taken_mm = [printer.hole_undersize_mm, printer.elephant_foot_mm].map(|mm| mm.unwrap_or(0.0));
+    if taken_mm == [0.0; 2] {
+        return None;
+    }
+    let inputs = (part.flat.key(), part.print_pose, layer_mm, limit_mm, taken_mm);
+    let wall = || compensated::mesh(part, printer, layer_mm).ok().and_then(|mesh| Walls::of(&mesh, layer_mm, limit_mm).wall);
+    let thin = (*design.memo.get("walls in file", part.name.slug(), &inputs, wall))?;
+    let keys = record(part.name).walls.last().map_or(&[][..], |wall| wall.keys);
+    let measure = Measure { rule: RULE.id, value: thin.mm, limit: limit_mm, unit: "mm", levers: keys };
+    let [size, needed] = measure.figures(2);
+    let at = thin.at_mm.map(|mm| decimals(mm, 1)).join(", ");
+    let message = format!(
+        "the file of {} has a wall of {size} mm (at {at}), for holes are drawn {} mm wider and the first layer is drawn in by {} mm; the nozzle \
+         needs {needed} mm",
+        part.name, taken_mm[0], taken_mm[1]
+    );
+    let warning = Finding { verdict: Verdict::Note, ..measure.at_least(format!("{}: in its file", part.name.slug()), message) };
+    warning.warns().then_some(warning)
 }
 
 #[cfg(test)]
@@ -161,6 +186,23 @@ mod tests {
     use super::*;
     use crate::checks::planted::{Planted, violated};
     use crate::params::Frame;
+
+    #[test]
+    fn planted_walls_that_only_the_printed_file_has_too_thin() {
+        let warned = |hole_mm: f64, foot_mm: f64| -> Vec<Finding> {
+            let found = Planted::frame(|frame| {
+                (frame.printer.hole_undersize_mm, frame.printer.elephant_foot_mm) = (Some(hole_mm), Some(foot_mm));
+            });
+            found.found(check).into_iter().filter(Finding::warns).collect()
+        };
+        assert_eq!(warned(0.0, 0.0), []);
+        assert_eq!(warned(0.05, 0.0), []);
+        let wide = warned(1.0, 0.0);
+        let hub = wide.iter().find(|finding| finding.subject == "hub: in its file").expect("has walls between bores");
+        assert!((0.4..0.6).contains(&hub.value) && hub.message.contains("holes are drawn 1 mm wider"), "{hub:?}");
+        let foot = warned(0.0, 0.4);
+        assert!(foot.iter().any(|finding| finding.subject == "battery_sleeve: in its file"), "{foot:?}");
+    }
 
     #[test]
     fn measured_the_real_frame_has_two_walls_too_thin() {

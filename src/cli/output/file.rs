@@ -55,6 +55,20 @@ fn staged(place: &Path, bytes: &[u8]) -> io::Result<PathBuf> {
     Err(too_many())
 }
 
+/// Whether a file can be put in a place: asked before what takes long.
+///
+/// # Errors
+/// When its folder is missing, or may not be written.
+pub(in crate::cli) fn can_be_written(place: &Path) -> io::Result<()> {
+    match staged(place, &[]) {
+        Ok(staging) => fs::remove_file(staging),
+        Err(error) if error.kind() == ErrorKind::NotFound => {
+            Err(io::Error::new(error.kind(), "its folder is not there; make it, or name another one"))
+        }
+        Err(error) => Err(error),
+    }
+}
+
 /// Writes a file that is not there yet, so that no link that lies in its place is followed.
 pub(in crate::cli) fn write_new(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let mut file = fs::OpenOptions::new().write(true).create_new(true).open(path)?;

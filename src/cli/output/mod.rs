@@ -23,7 +23,7 @@ use std::path::{Component, Path, PathBuf};
 use super::failure::{Failure, failed};
 use super::interrupt::Step;
 use super::terminal;
-pub(super) use file::{replace_file, replace_users_file, write_new};
+pub(super) use file::{can_be_written, replace_file, replace_users_file, write_new};
 use record::{MANIFEST, RECORD, Record};
 pub(super) use result_files::{remove_result, write_result};
 use staging::{Lock, Staging};

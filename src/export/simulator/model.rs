@@ -10,7 +10,6 @@ use super::propeller::torque_over_thrust_m;
 use crate::frame::assembly::mass::{Lump, MassTable, lump_of};
 use crate::frame::assembly::{Body, Design, Kind};
 use crate::frame::skeleton::{MODULE_NAMES, ROTORS, Rod, Spin, Stack};
-use crate::params::PartName;
 use crate::units::GRAVITY_M_S2;
 
 /// A rigid body.
@@ -161,7 +160,7 @@ impl SimulatorModel {
         let whole = RigidBody::of("whole", &weighed(&|_| true));
         let mut motors: Vec<Motor> = (0..4).filter_map(|module| motor(design, masses, module)).collect();
         balance(&mut motors, &whole);
-        let ground_mm = ground_mm(design);
+        let ground_mm = design.ground_mm().unwrap_or(0.0);
         Self {
             schema_version: 1,
             name: design.frame.name.clone(),
@@ -231,12 +230,6 @@ fn imu(design: &Design) -> Imu {
         on: board.map_or("hub", |board| board.role).into(),
         position_m: point_m(Point3::new(0.0, 0.0, board.map_or(0.0, |board| board.middle_mm))),
     }
-}
-
-/// Height of the ground under the standing frame: the lowest point of the lower corners, mm.
-fn ground_mm(design: &Design) -> f64 {
-    let corners = design.bodies.iter().filter(|body| design.shape(body).kind == Kind::Printed(PartName::BottomCorner));
-    corners.map(|body| design.shape(body).solid.bounds_in_mm(&body.pose)[0][2]).fold(0.0, f64::min)
 }
 
 fn feet(design: &Design, ground_mm: f64) -> Vec<Foot> {

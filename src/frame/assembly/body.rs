@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use nalgebra::Isometry3;
 
-use super::bought_solids::BoughtPart;
+use super::centre_body::CentreBody;
 use crate::frame::parts::record;
 use crate::frame::skeleton::RodRole;
 use crate::params::{Frame, PartName};
@@ -39,14 +39,14 @@ impl Kind {
             Self::Rod(role) => format!("{}_rod", role.slug()).into(),
             Self::Motor => "motor".into(),
             Self::Propeller => "propeller".into(),
-            Self::Bought(slug) => BoughtPart::named(slug).map_or(slug, BoughtPart::role).into(),
+            Self::Bought(slug) => CentreBody::named(slug).map_or(slug, CentreBody::role).into(),
         }
     }
 
     /// Its share of the pieces of its line, as a weight among the line's bodies.
     pub fn weight(self, frame: &Frame) -> f64 {
         match self {
-            Self::Bought(slug) => BoughtPart::named(slug).map_or(1.0, |part| part.weight(frame)),
+            Self::Bought(slug) => CentreBody::named(slug).map_or(1.0, |part| part.weight(frame)),
             _ => 1.0,
         }
     }

@@ -9,6 +9,7 @@ use nalgebra::{Point3, Vector3};
 use super::body_box::bounds_mm;
 use super::design::Design;
 use super::wire::{Section, Wire};
+use crate::params::Frame;
 
 /// A cable that a design may have.
 pub struct Cable {
@@ -164,10 +165,15 @@ pub fn unconnected(design: &Design) -> Vec<&'static str> {
 
 /// The cables of a design whose both ends it has.
 pub(super) fn cables(design: &Design) -> Vec<Wire> {
-    CABLES.iter().filter_map(|cable| cable.wire(design)).collect()
+    CABLES.iter().filter(|cable| cable.is_used(&design.frame)).filter_map(|cable| cable.wire(design)).collect()
 }
 
 impl Cable {
+    /// Whether what it begins at has such a cable: a digital camera's ribbon leads to its transmitter.
+    fn is_used(&self, frame: &Frame) -> bool {
+        frame.bought.get(self.from).is_none_or(|item| item.part.digital != Some(true))
+    }
+
     fn wire(&self, design: &Design) -> Option<Wire> {
         let to = match self.route {
             Route::Ribbon => "computer",
@@ -277,6 +283,15 @@ mod tests {
         (0..3).map(|axis| (low[axis] - point[axis]).max(point[axis] - high[axis])).fold(0.0, f64::max)
     }
 
+    const LONG_RANGE: &str = "examples/frames/four-inch-long-range.toml";
+
+    /// The example whose camera for goggles is digital, with one that is not.
+    fn analogue() -> Design {
+        let mut frame = Frame::load(LONG_RANGE).expect("is a frame").0;
+        frame.bought.get_mut("fpv_camera").expect("has one").part.digital = None;
+        Design::new(frame).expect("designs")
+    }
+
     /// The same frame with its sleeve across: bracket and sensor turn with it.
     fn across(frame: &str) -> Design {
         let mut frame = Frame::load(frame).expect("is a frame").0;
@@ -290,7 +305,8 @@ mod tests {
         let wanted = [
             ("cognifly", design("cognifly"), default.to_vec()),
             ("cognifly across", across("cognifly"), default.to_vec()),
-            ("four-inch", design("examples/frames/four-inch-long-range.toml"), vec!["gps_cable", "fpv_cable"]),
+            ("four-inch", design(LONG_RANGE), vec!["gps_cable"]),
+            ("four-inch with an analogue camera", analogue(), vec!["gps_cable", "fpv_cable"]),
         ];
         for (frame, design, roles) in wanted {
             let all = cables(&design);

@@ -1,6 +1,6 @@
 //! The parts of the rigid centre together: printed ones and bought ones, in their places.
 
-use crate::frame::assembly::BoughtPart;
+use crate::frame::assembly::CentreBody;
 use crate::frame::assembly::screw_solids::threads_mm3;
 use crate::frame::parts::gauges::{Gauged, v8};
 use crate::frame::parts::{Seat, record};
@@ -18,7 +18,7 @@ fn placed(name: PartName, frame: &Frame, centre: &Centre) -> Feature {
 fn all(frame: &Frame, centre: &Centre) -> Vec<(String, Feature)> {
     let standing = PartName::ALL.into_iter().filter(|name| matches!(record(*name).seat, Seat::Centre(_)) && (record(*name).needed)(frame));
     let printed = standing.map(|name| (name.to_string(), placed(name, frame, centre)));
-    let bought = BoughtPart::ALL.into_iter().filter_map(|part| Some((part.slug().to_string(), part.feature(frame, centre)?)));
+    let bought = CentreBody::ALL.into_iter().filter_map(|part| Some((part.slug().to_string(), part.feature(frame, centre)?)));
     printed.chain(bought).collect()
 }
 
@@ -59,8 +59,8 @@ fn measured_heights_are_those_of_the_assembly() {
 #[test]
 fn measured_magnet_faces_keep_their_gap() {
     let (frame, centre) = v8();
-    let solid = |part: BoughtPart| MeshSolid::build(&part.feature(&frame, &centre).expect("the frame has it"));
-    let gap = solid(BoughtPart::MagnetBracket).gap_mm(&solid(BoughtPart::MagnetLid), 5.0);
+    let solid = |part: CentreBody| MeshSolid::build(&part.feature(&frame, &centre).expect("the frame has it"));
+    let gap = solid(CentreBody::MagnetBracket).gap_mm(&solid(CentreBody::MagnetLid), 5.0);
     assert!((gap - 0.29).abs() < 1e-6, "{gap}");
     let lid = Gauged::new(&placed(PartName::BatteryLid, &frame, &centre));
     let y = -centre.bracket_half_mm - 0.29;
@@ -76,7 +76,7 @@ fn analytic_lid_slides_out_without_touching() {
         let centre = Centre::new(&frame);
         let of = |part| MeshSolid::build(&placed(part, &frame, &centre));
         let stays = of(PartName::BatteryBracket).union(&of(PartName::Hub)).union(&of(PartName::BatterySleeve));
-        let carried = [BoughtPart::Battery, BoughtPart::ConnectorLid, BoughtPart::MagnetLid];
+        let carried = [CentreBody::Battery, CentreBody::ConnectorLid, CentreBody::MagnetLid];
         let slides = carried
             .iter()
             .filter_map(|part| part.feature(&frame, &centre))
@@ -96,12 +96,12 @@ fn analytic_bought_parts_have_their_catalogued_size() {
     for name in crate::params::preset::names() {
         let (frame, _) = Frame::load(name).expect("a preset");
         let centre = Centre::new(&frame);
-        let size = |part: BoughtPart| {
+        let size = |part: CentreBody| {
             let [low, high] = MeshSolid::build(&part.feature(&frame, &centre).expect("the frame has it")).bounds_mm();
             [0, 1, 2].map(|axis| high[axis] - low[axis])
         };
         let stated = |role: &str| frame.bought[role].part.size_mm;
-        let close = |part: BoughtPart, [x, y, z]: [f64; 3]| {
+        let close = |part: CentreBody, [x, y, z]: [f64; 3]| {
             let own = size(part);
             assert!(
                 own.iter().zip([x, y, z]).all(|(a, b)| (a - b).abs() < 0.02),
@@ -110,24 +110,24 @@ fn analytic_bought_parts_have_their_catalogued_size() {
             );
         };
         let [length, width, height] = stated("computer");
-        close(BoughtPart::Computer, [width, length, height]);
+        close(CentreBody::Computer, [width, length, height]);
         let [length, width, height] = stated("battery");
-        close(BoughtPart::Battery, [width, length, height]);
-        close(BoughtPart::FlightController, stated("flight_controller"));
-        close(BoughtPart::MotorController, stated("motor_controller"));
-        close(BoughtPart::FlowSensor, stated("flow_sensor"));
+        close(CentreBody::Battery, [width, length, height]);
+        close(CentreBody::FlightController, stated("flight_controller"));
+        close(CentreBody::MotorController, stated("motor_controller"));
+        close(CentreBody::FlowSensor, stated("flow_sensor"));
         let [width, height, deep] = stated("camera");
-        close(BoughtPart::Camera, [width, deep, height]);
+        close(CentreBody::Camera, [width, deep, height]);
         let [length, width, thick] = stated("magnet");
-        close(BoughtPart::MagnetLid, [length, thick, width]);
+        close(CentreBody::MagnetLid, [length, thick, width]);
         let [across, _, height] = stated("damper");
         let pattern = frame.hub.stack_pattern_mm;
-        close(BoughtPart::Dampers, [pattern + across, pattern + across, height]);
+        close(CentreBody::Dampers, [pattern + across, pattern + across, height]);
         let [corners, flats, height] = stated("stack_nut");
-        close(BoughtPart::StackNuts, [pattern + corners, pattern + flats, height]);
+        close(CentreBody::StackNuts, [pattern + corners, pattern + flats, height]);
         let screw = &frame.bought["stack_screw"].part;
         let long = screw.length_mm.expect("is stated") + screw.head_height_mm.expect("is stated");
-        assert!((size(BoughtPart::StackScrews)[2] - long).abs() < 1e-4, "{name}");
+        assert!((size(CentreBody::StackScrews)[2] - long).abs() < 1e-4, "{name}");
     }
 }
 
@@ -136,7 +136,7 @@ fn analytic_bought_parts_have_their_catalogued_size() {
 fn regress_dampers_are_drawn_at_holes_that_are_too_small_for_them() {
     let (mut frame, _) = Frame::load("examples/frames/whoop-aio-fpv.toml").expect("a frame");
     let pieces = |frame: &Frame| {
-        let dampers = BoughtPart::Dampers.feature(frame, &Centre::new(frame)).expect("are drawn");
+        let dampers = CentreBody::Dampers.feature(frame, &Centre::new(frame)).expect("are drawn");
         MeshSolid::build(&dampers).body_boxes().len()
     };
     assert_eq!(pieces(&frame), 4);

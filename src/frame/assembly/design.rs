@@ -139,6 +139,12 @@ impl Design {
         &self.shapes[body.shape]
     }
 
+    /// Height of the ground under the standing frame: the lowest point of the lower corners in frame axes, mm; none without any.
+    pub fn ground_mm(&self) -> Option<f64> {
+        let corners = self.bodies.iter().filter(|body| self.shape(body).kind == Kind::Printed(PartName::BottomCorner));
+        corners.map(|body| self.shape(body).solid.bounds_in_mm(&body.pose)[0][2]).reduce(f64::min)
+    }
+
     /// A body's solid where it sits.
     pub fn placed(&self, body: &Body) -> MeshSolid {
         self.shape(body).solid.placed(&body.pose)

@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::body::{Body, Kind, Shape};
 use super::design::Design;
+use crate::params::PartName;
 use crate::params::catalogue::MassBasis;
 use crate::params::frame::{BoughtItem, Extra, Frame};
 
@@ -71,9 +72,19 @@ pub struct MassTable {
 }
 
 impl MassTable {
+    /// The line of a kind with a name: an extra may have that of a part.
+    pub fn line(&self, kind: LineKind, name: &str) -> Option<&MassLine> {
+        self.lines.iter().find(|line| line.kind == kind && line.name == name)
+    }
+
     /// The line of a bought part, by its role.
     pub fn bought(&self, role: &str) -> Option<&MassLine> {
-        self.lines.iter().find(|line| line.kind == LineKind::Bought && line.name == role)
+        self.line(LineKind::Bought, role)
+    }
+
+    /// The line of a printed part.
+    pub fn printed(&self, part: PartName) -> Option<&MassLine> {
+        self.line(LineKind::Printed, part.slug())
     }
 }
 

@@ -3,8 +3,8 @@
 mod board_solid;
 mod body;
 mod body_box;
-pub mod bought_solids;
 pub mod cables;
+pub mod centre_body;
 #[cfg(test)]
 mod centre_tests;
 pub mod compensated;
@@ -22,6 +22,6 @@ pub mod wire;
 pub mod wires;
 
 pub use body::{Body, Kind, Shape};
-pub use bought_solids::BoughtPart;
+pub use centre_body::CentreBody;
 pub use design::{Design, DesignError};
 pub use printed::{Printed, sides};

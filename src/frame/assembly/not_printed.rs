@@ -2,16 +2,16 @@
 
 use std::sync::Arc;
 
-use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
+use nalgebra::Isometry3;
 use serde::{Deserialize, Serialize};
 
 use super::body::{Kind, Shape};
-use super::bought_solids::BoughtPart;
+use super::centre_body::CentreBody;
 use super::screw_solids::motor_screws;
 use crate::frame::skeleton::{Centre, MODULE_NAMES, RodRole, Skeleton, placement};
 use crate::memo::Memo;
 use crate::params::Frame;
-use crate::params::catalogue::BoughtPart as Entry;
+use crate::params::catalogue::BoughtPart;
 use crate::solid::{Brep, Feature, Mesh, MeshSolid};
 
 /// Where a body is: its name, its module and its pose.
@@ -40,7 +40,7 @@ impl NotPrinted {
     /// Everything that a frame has of it: rods, what the motors carry, then the centre.
     pub(super) fn all(frame: &Frame, skeleton: &Skeleton, centre: &Centre) -> Vec<Self> {
         let rods = skeleton.roles().into_iter().map(|role| rods(frame, skeleton, role));
-        let bought = BoughtPart::ALL.into_iter().filter_map(|part| bought(frame, centre, part));
+        let bought = CentreBody::ALL.into_iter().filter_map(|part| bought(frame, centre, part));
         rods.chain(motors(frame, skeleton)).chain(bought).collect()
     }
 
@@ -67,12 +67,7 @@ impl Plain {
 
 /// The rods of a role.
 fn rods(frame: &Frame, skeleton: &Skeleton, role: RodRole) -> NotPrinted {
-    let places = skeleton.rods_of(role).map(|rod| {
-        let turn = UnitQuaternion::rotation_between(&Vector3::z(), &(rod.end - rod.start))
-            .unwrap_or_else(|| UnitQuaternion::from_axis_angle(&Vector3::x_axis(), std::f64::consts::PI));
-        let pose = Isometry3::from_parts(Translation3::from(rod.start.coords), turn);
-        (rod.name.clone(), Some(rod.sockets[0].module), pose)
-    });
+    let places = skeleton.rods_of(role).map(|rod| (rod.name.clone(), Some(rod.sockets[0].module), rod.pose()));
     NotPrinted {
         name: format!("{}_rod", role.slug()),
         kind: Kind::Rod(role),
@@ -135,7 +130,7 @@ fn motors(frame: &Frame, skeleton: &Skeleton) -> Vec<NotPrinted> {
 }
 
 /// What is bought for a place in the centre; none of what the frame has not.
-fn bought(frame: &Frame, centre: &Centre, part: BoughtPart) -> Option<NotPrinted> {
+fn bought(frame: &Frame, centre: &Centre, part: CentreBody) -> Option<NotPrinted> {
     Some(NotPrinted {
         name: part.slug().into(),
         kind: Kind::Bought(part.slug()),
@@ -150,7 +145,7 @@ fn bought(frame: &Frame, centre: &Centre, part: BoughtPart) -> Option<NotPrinted
 const STEEL: [f32; 4] = [0.35, 0.35, 0.37, 1.0];
 
 /// A motor's body, on its shaft where that is catalogued. The shaft reaches this far above the seat, mm: through its propeller.
-fn motor_solid(part: &Entry, through_mm: f64) -> Feature {
+fn motor_solid(part: &BoughtPart, through_mm: f64) -> Feature {
     let height = part.motor_height_mm();
     let body = Feature::cylinder(0.5 * part.body_diameter_mm.unwrap_or(part.size_mm[0]), height);
     match part.shaft_diameter_mm.filter(|_| through_mm > height) {
@@ -169,23 +164,23 @@ fn rod_solid(frame: &Frame, length_mm: f64) -> Feature {
 }
 
 /// Linear colour of a bought part in the centre.
-fn colour(part: BoughtPart) -> [f32; 4] {
+fn colour(part: CentreBody) -> [f32; 4] {
     match part {
-        BoughtPart::Battery => [0.35, 0.36, 0.45, 1.0],
-        BoughtPart::Computer => [0.01, 0.25, 0.06, 1.0],
-        BoughtPart::FlightController => [0.05, 0.06, 0.1, 1.0],
-        BoughtPart::MotorController => [0.1, 0.05, 0.12, 1.0],
-        BoughtPart::ConnectorBracket | BoughtPart::ConnectorLid => [0.85, 0.6, 0.02, 1.0],
-        BoughtPart::MagnetBracket | BoughtPart::MagnetLid => [0.5, 0.5, 0.52, 1.0],
-        BoughtPart::FlowSensor => [0.01, 0.08, 0.35, 1.0],
-        BoughtPart::Camera => [0.01, 0.22, 0.05, 1.0],
-        BoughtPart::StackScrews | BoughtPart::StackNuts => STEEL,
-        BoughtPart::SpacersUnderHub | BoughtPart::SpacersBetweenBoards => [0.8, 0.8, 0.75, 1.0],
-        BoughtPart::Dampers => [0.45, 0.03, 0.03, 1.0],
-        BoughtPart::Ties => [0.02, 0.02, 0.02, 1.0],
-        BoughtPart::Receiver => [0.02, 0.05, 0.2, 1.0],
-        BoughtPart::Buzzer => [0.03, 0.03, 0.03, 1.0],
-        BoughtPart::Gps => [0.45, 0.36, 0.2, 1.0],
-        BoughtPart::FpvCamera => [0.25, 0.02, 0.02, 1.0],
+        CentreBody::Battery => [0.35, 0.36, 0.45, 1.0],
+        CentreBody::Computer => [0.01, 0.25, 0.06, 1.0],
+        CentreBody::FlightController => [0.05, 0.06, 0.1, 1.0],
+        CentreBody::MotorController => [0.1, 0.05, 0.12, 1.0],
+        CentreBody::ConnectorBracket | CentreBody::ConnectorLid => [0.85, 0.6, 0.02, 1.0],
+        CentreBody::MagnetBracket | CentreBody::MagnetLid => [0.5, 0.5, 0.52, 1.0],
+        CentreBody::FlowSensor => [0.01, 0.08, 0.35, 1.0],
+        CentreBody::Camera => [0.01, 0.22, 0.05, 1.0],
+        CentreBody::StackScrews | CentreBody::StackNuts => STEEL,
+        CentreBody::SpacersUnderHub | CentreBody::SpacersBetweenBoards => [0.8, 0.8, 0.75, 1.0],
+        CentreBody::Dampers => [0.45, 0.03, 0.03, 1.0],
+        CentreBody::Ties => [0.02, 0.02, 0.02, 1.0],
+        CentreBody::Receiver => [0.02, 0.05, 0.2, 1.0],
+        CentreBody::Buzzer => [0.03, 0.03, 0.03, 1.0],
+        CentreBody::Gps => [0.45, 0.36, 0.2, 1.0],
+        CentreBody::FpvCamera => [0.25, 0.02, 0.02, 1.0],
     }
 }

@@ -14,7 +14,7 @@ pub const TOUCH_MM3: f64 = 0.05;
 pub const ROUNDING: f64 = 1.03;
 
 /// Volume of the ring between two diameters over a length, mm³; 0 when the inner one is larger.
-fn ring_mm3(outer_mm: f64, inner_mm: f64, length_mm: f64) -> f64 {
+pub(super) fn ring_mm3(outer_mm: f64, inner_mm: f64, length_mm: f64) -> f64 {
     (FRAC_PI_4 * (outer_mm * outer_mm - inner_mm * inner_mm) * length_mm).max(0.0)
 }
 

@@ -1,9 +1,8 @@
 //! Solids of screws, nuts, dampers and ties, at their catalogued sizes, where they hold something.
 
-use std::f64::consts::FRAC_PI_4;
-
 use nalgebra::Point3;
 
+use super::press_fit::ring_mm3;
 use crate::frame::parts::MotorMount;
 use crate::frame::parts::outline::upright;
 use crate::frame::skeleton::{Accessories, Centre, Stack};
@@ -130,13 +129,12 @@ pub(super) fn ties(part: &BoughtPart, frame: &Frame, centre: &Centre) -> Option<
 /// What the threads of a frame's screws are meant to share with what they are screwed into, mm³: a motor, the hub.
 pub fn threads_mm3(frame: &Frame, centre: &Centre) -> [f64; 2] {
     let screw = |role: &str| frame.bought.get(role).map(|item| &item.part).and_then(|part| Some((part.thread_mm?, part.length_mm?)));
-    let ring = |outer: f64, inner: f64, length: f64| (FRAC_PI_4 * (outer * outer - inner * inner) * length).max(0.0);
     let holes = frame.bought.get("motor").map_or(0.0, |motor| f64::from(motor.part.motor_holes()));
     let in_motor = screw("motor_screw")
-        .map_or(0.0, |(thread, length)| holes * ring(thread, 0.0, (length - frame.motor_mount.motor_plate_thickness_mm).max(0.0)));
+        .map_or(0.0, |(thread, length)| holes * ring_mm3(thread, 0.0, (length - frame.motor_mount.motor_plate_thickness_mm).max(0.0)));
     let in_hub = screw("stack_screw").map_or(0.0, |(thread, length)| {
         let plate = Stack::new(frame, centre).seat_mm + centre.hub_half_height_mm;
-        4.0 * ring(thread, frame.hub.stack_pilot_diameter_mm, plate.min(length))
+        4.0 * ring_mm3(thread, frame.hub.stack_pilot_diameter_mm, plate.min(length))
     });
     [in_motor, in_hub]
 }

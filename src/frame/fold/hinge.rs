@@ -13,7 +13,7 @@
 
 use serde::Serialize;
 
-use crate::frame::skeleton::{Closure, ClosureError, CornerPivots};
+use crate::frame::skeleton::{Closure, ClosureError, CornerPivots, strut_fold_deg};
 use crate::params::Frame;
 use crate::units::Angle;
 
@@ -47,7 +47,7 @@ pub fn web_strain_percent(frame: &Frame, thickness_mm: f64, fold: Angle) -> f64 
 /// # Errors
 /// When the frame does not close, so that nothing says how far they fold.
 pub fn largest_web_strain_percent(frame: &Frame) -> Result<f64, ClosureError> {
-    let strut = Angle::deg(90.0 + Closure::solve(frame)?.strut_tilt.to_deg());
+    let strut = Angle::deg(strut_fold_deg(Closure::solve(frame)?.strut_tilt.to_deg()));
     Ok(web(frame, strut).strain_percent)
 }
 

@@ -9,7 +9,7 @@
 
 use nalgebra::{Matrix2, Vector2};
 
-use crate::frame::skeleton::{RodRole, Skeleton};
+use crate::frame::skeleton::{RodRole, Skeleton, strut_fold_deg};
 use crate::params::Frame;
 use crate::units::Angle;
 
@@ -134,7 +134,13 @@ impl Linkage {
 
     /// The assembled module.
     pub fn closed(&self) -> Stance {
-        Stance { strut_deg: 90.0 + self.tilt_deg, foot_deg: self.leg_tilt_deg, hub_deg: self.leg_tilt_deg, pulled: 0.0, leg_out_mm: 0.0 }
+        Stance {
+            strut_deg: strut_fold_deg(self.tilt_deg),
+            foot_deg: self.leg_tilt_deg,
+            hub_deg: self.leg_tilt_deg,
+            pulled: 0.0,
+            leg_out_mm: 0.0,
+        }
     }
 
     /// The foot's strut pivot, at a share.

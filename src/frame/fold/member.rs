@@ -2,7 +2,7 @@
 
 use nalgebra::{Isometry3, Point3, Vector3};
 
-use crate::frame::skeleton::{MODULE_NAMES, Rod, RodRole, Skeleton, grip_bore_mm};
+use crate::frame::skeleton::{MODULE_NAMES, Rod, RodRole, Skeleton};
 use crate::params::{Frame, PartName};
 use crate::units::Angle;
 
@@ -29,7 +29,7 @@ pub enum Member {
     Cage(bool),
     /// Motor.
     Motor,
-    /// The motor's four screws.
+    /// The motor's screws.
     MotorScrews,
     /// The plate in the middle.
     Hub,
@@ -182,7 +182,7 @@ pub fn capsules(member: Member, frame: &Frame, skeleton: &Skeleton) -> Vec<Capsu
         }
         Member::Knee => {
             let (knee, tilt) = (&frame.knee, skeleton.closure.strut_tilt);
-            let r = 0.5 * grip_bore_mm(frame) + knee.knee_back_wall_mm.min(knee.knee_side_wall_mm);
+            let r = 0.5 * frame.grip_bore_mm() + knee.knee_back_wall_mm.min(knee.knee_side_wall_mm);
             let end = knee.knee_node_to_bottom_mm + knee.knee_socket_depth_mm - r;
             let tube = |up: f64| base([0.0; 3], [end * tilt.sin(), 0.0, up * end * tilt.cos()], r);
             vec![tube(1.0), tube(-1.0)]
@@ -196,7 +196,8 @@ pub fn capsules(member: Member, frame: &Frame, skeleton: &Skeleton) -> Vec<Capsu
 fn mount(frame: &Frame) -> Vec<Capsule> {
     let (mount, y) = (&frame.motor_mount, 0.5 * frame.hub_joint.arm_pitch_mm);
     let (r, half) = (0.5 * mount.motor_ring_diameter_mm, 0.5 * mount.motor_ring_width_mm);
-    let ring = |y: f64| Capsule::new(Side::Base, [-0.5 * half, y, 0.0], [0.5 * half, y, 0.0], r.min(half));
+    let thick_mm = r.min(half);
+    let ring = |y: f64| Capsule::new(Side::Base, [thick_mm - half, y, 0.0], [half - thick_mm, y, 0.0], thick_mm);
     let top = mount.motor_ledge_mm + mount.motor_riser_mm;
     let thick = 0.5 * mount.motor_plate_thickness_mm;
     let reach = 0.5 * mount.motor_plate_diameter_mm - thick;

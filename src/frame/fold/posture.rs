@@ -5,7 +5,7 @@ use nalgebra::{Isometry3, Point3, Translation3, UnitQuaternion, Vector3};
 use super::linkage::Linkage;
 use super::member::{Member, Side, left, outward};
 use crate::frame::parts::record;
-use crate::frame::skeleton::{Centre, ModulePlaces, RodRole, Skeleton};
+use crate::frame::skeleton::{Centre, ModulePlaces, Rod, RodRole, Skeleton};
 use crate::params::{Frame, PartName};
 use crate::solid::Bend;
 use crate::units::Angle;
@@ -57,20 +57,13 @@ pub fn about(point: Point3<f64>, axis: Vector3<f64>, deg: f64) -> Isometry3<f64>
     Translation3::from(point.coords) * turn * Translation3::from(-point.coords)
 }
 
-/// Place of a rod in the design: z along it, from its start.
-fn rod_pose(start: Point3<f64>, end: Point3<f64>) -> Isometry3<f64> {
-    let turn = UnitQuaternion::rotation_between(&Vector3::z(), &(end - start))
-        .unwrap_or_else(|| UnitQuaternion::from_axis_angle(&Vector3::x_axis(), std::f64::consts::PI));
-    Isometry3::from_parts(Translation3::from(start.coords), turn)
-}
-
 impl Module {
     /// The first module of a frame.
     pub fn new(frame: &Frame, skeleton: &Skeleton, linkage: Linkage) -> Self {
         let (c, centre) = (&skeleton.closure, Centre::new(frame));
         let seat = skeleton.node("M_FR").unwrap_or_else(Point3::origin);
         let place = |member: Member| {
-            let rod = |name: &str| skeleton.rods.iter().find(|r| r.name == name).map(|r| rod_pose(r.start, r.end));
+            let rod = |name: &str| skeleton.rods.iter().find(|r| r.name == name).map(Rod::pose);
             let part = |name: PartName| record(name).poses(frame, c, &centre).first().map(|(_, pose)| *pose);
             match (member, member.part()) {
                 (Member::Motor, _) => Some(Isometry3::translation(seat.x, seat.y, seat.z)),

@@ -146,7 +146,7 @@ impl<'a> Rules<'a> {
 
     /// The posture after some tasks, in the middle of one.
     ///
-    /// The closing is followed by its linkage; a closure that is lost stays where it was last found.
+    /// The closing is followed by its linkage; a closure that is lost is drawn where it began.
     pub fn posture(&self, done: &Done, doing: Option<(Task, f64)>) -> Posture {
         let way = |task: Task| match doing {
             Some((t, way)) if t == task => way,

@@ -194,10 +194,10 @@ fn ring_can_close(frame: &Frame) -> Result<(), FoldError> {
 }
 
 /// A task's sentences; where cage rods have two lengths, with the modules that each of them goes into.
-fn text(task: Task, skeleton: &Skeleton) -> Cow<'static, str> {
+fn text(task: Task, frame: &Frame, skeleton: &Skeleton) -> Cow<'static, str> {
     let is_cage = |(member, _): (Member, Member)| member.rod().is_some_and(RodRole::is_cage);
     if !skeleton.closure.places.are_apart() || task == Task::CloseRing || !task.contacts().into_iter().any(is_cage) {
-        return task.text().into();
+        return task.text(frame).into();
     }
     let modules = |front: bool| {
         let of = |module: &usize| ModulePlaces::carries_side_rods(*module) != front;
@@ -205,7 +205,8 @@ fn text(task: Task, skeleton: &Skeleton) -> Cow<'static, str> {
     };
     let [across_mm, along_mm] = [RodRole::Cage, RodRole::CageSide].map(|role| skeleton.sawn_mm(role));
     let (across, along) = (modules(true), modules(false));
-    format!("{} The modules {across} take a rod of {across_mm:.1} mm, the modules {along} one of {along_mm:.1} mm.", task.text()).into()
+    format!("{} The modules {across} take a rod of {across_mm:.1} mm, the modules {along} one of {along_mm:.1} mm.", task.text(frame))
+        .into()
 }
 
 fn step(rules: &Rules, frame: &Frame, skeleton: &Skeleton, order: &[Task], at: usize) -> Step {
@@ -217,7 +218,7 @@ fn step(rules: &Rules, frame: &Frame, skeleton: &Skeleton, order: &[Task], at: u
         number: at + 1,
         task,
         title: task.title(),
-        text: text(task, skeleton),
+        text: text(task, frame, skeleton),
         tool: task.tool(),
         caution: task.caution(frame),
         repeats,

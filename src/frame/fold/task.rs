@@ -190,8 +190,8 @@ impl Task {
         }
     }
 
-    /// What a person does, with the trick it takes.
-    pub fn text(self) -> &'static str {
+    /// What a person does in a frame, with the trick it takes.
+    pub fn text(self, frame: &Frame) -> &'static str {
         match self {
             Self::ThreadKnee => {
                 "Squeeze one leg of the fork flat with thin pliers, pull it through the knee's window and on until the bar sits in it."
@@ -201,6 +201,9 @@ impl Task {
             }
             Self::PushLeg => "Push the leg rod to the bottom of the middle bore.",
             Self::BendLeg => "Bend the leg down out of the way of what comes onto the arms; the two necks twist.",
+            Self::SlideMount if is_seated_early(frame) => {
+                "Slide the mount with its motor from the outer ends onto both arms, the motor up."
+            }
             Self::SlideMount => "Slide the motor mount from the outer ends onto both arms, its flat face up.",
             Self::PushFork => "Push the fork with its knee onto both arm rods, and stop at the gap that is stated below.",
             Self::PushStruts => "Push a strut rod into each bore of the knee.",
@@ -220,6 +223,9 @@ impl Task {
             Self::CloseRing => "Go round in small steps: plugs and the four rods of the bottom ring slide home together.",
             Self::CloseTop => {
                 "Start each top rod in the next top corner, so that the four make a ring, and hold it over the upper struts. Bend the corners' free sockets down onto the struts, one after the other. Then go round in small steps: corners slide down the struts, rods into the corners."
+            }
+            Self::SeatMotor if is_seated_early(frame) => {
+                "Put the motor onto its mount, its wires towards the end with the hub, and turn its screws in from below. The propellers are a step of their own, the last one."
             }
             Self::SeatMotor => {
                 "Put the motor onto its mount, its wires towards the hub, and turn its screws in from below, with a long thin tool: the rod of the leg is beside it. The propellers are a step of their own, the last one."
@@ -281,7 +287,6 @@ fn mount_to_its_place(frame: &Frame) -> String {
 
 /// From the outer face of the motor mount's rings to the mouth of the fork's sockets, along an arm that is home, mm.
 fn mount_to_fork_mm(frame: &Frame) -> f64 {
-    let fork_bottom = frame.hub.hub_mouth_mm + frame.rods.arm_rod_length_mm + frame.rods.arm_rod_slack_mm;
     let mount = &frame.motor_mount;
-    fork_bottom - frame.fork.fork_socket_depth_mm - (mount.motor_position_mm + 0.5 * mount.motor_ring_width_mm)
+    frame.fork_bottom_mm() - frame.fork.fork_socket_depth_mm - (mount.motor_position_mm + 0.5 * mount.motor_ring_width_mm)
 }

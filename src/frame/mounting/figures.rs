@@ -26,7 +26,7 @@ pub(super) fn figures(design: &Design) -> Vec<(&'static str, String)> {
 }
 
 /// Threads with the keys of their socket heads (ISO 4762), mm.
-const HEX_KEYS_MM: [[f64; 2]; 5] = [[1.6, 1.5], [2.0, 1.5], [2.5, 2.0], [3.0, 2.5], [4.0, 3.0]];
+const HEX_KEYS_MM: [[f64; 2]; 6] = [[1.4, 1.3], [1.6, 1.5], [2.0, 1.5], [2.5, 2.0], [3.0, 2.5], [4.0, 3.0]];
 
 /// The sentence about the key of the screws that hold the boards; none for a thread without one.
 fn hex_key(frame: &Frame) -> String {

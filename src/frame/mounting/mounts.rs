@@ -488,7 +488,7 @@ pub static MOUNTS: [Mount; 33] = [
         taken_out: &["cartridge"],
         stage: Stage::AfterFold,
         title: "Propellers",
-        text: "Two of the propellers turn each way, as the arrows show. Put each onto its motor, its lettering up, and fix it as the motor is sold: with two screws, or pressed onto the shaft.",
+        text: "Two of the propellers turn each way, as the arrows show. Put each onto its motor, its lettering up, and fix it as the motor is sold: with two screws, pressed onto the shaft, or with a nut on its thread.",
         text_across: "",
         tools: &[Tool::ScrewdriverOrHands],
         caution: Some("The battery is out while hands are at the propellers. From here on it goes in only where the frame may fly."),

@@ -28,7 +28,7 @@ pub struct PartLine {
 impl PartLine {
     /// How many of what, with a screw's size.
     pub fn words(&self) -> String {
-        let count = if self.count.fract() == 0.0 { format!("{:.0}", self.count) } else { "half a".into() };
+        let count = if self.count == 0.5 { "half a".into() } else { ((100.0 * self.count).round() / 100.0).to_string() };
         let size = self.screw_mm.map_or(String::new(), |[thread, length]| format!(", M{thread} x {length}"));
         format!("{count} x {}{size}", self.part.replace('_', " ")).replace("half a x", "half a")
     }

@@ -149,7 +149,7 @@ impl<'a> Ways<'a> {
             }
             next = place + stride;
             if shared_mm3 > worst.as_ref().map_or(allowed_mm3, |worst| worst.shared_mm3) {
-                let here = 1.0 - mm / travel_mm;
+                let here = (1.0 - mm / travel_mm).max(0.0);
                 worst = Some(Meeting { bodies: [a.name.clone(), b.name.clone()], at: here, shared_mm3, allowed_mm3 });
                 if to_a_bar {
                     break;

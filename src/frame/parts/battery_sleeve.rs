@@ -33,6 +33,8 @@ fn is_on_tray(_: &Frame, centre: &Centre, wall: &WallPlace) -> bool {
 
 /// Lugs of a side that are nearer to each other are one, mm.
 const LEAST_LUG_GAP_MM: f64 = 1.0;
+/// Material left between the tray's window and a hole of the sensor, mm: two lines of a usual nozzle, and a little more.
+const WINDOW_RIM_MM: f64 = 1.0;
 
 /// The sleeve of a frame.
 pub fn feature(frame: &Frame, centre: &Centre) -> Feature {
@@ -142,8 +144,11 @@ impl Sleeve<'_> {
         let (s, length, yh) = (&self.frame.sleeve, self.centre.sleeve_length_mm, self.sensor_y_mm());
         let (hole, pad, wing, ci) = (0.5 * s.sensor_hole_pitch_mm, s.tray_pad_radius_mm, self.wing_mm(), self.channel_mm());
         let front = yh + 0.5 * s.tray_bar_mm;
-        let (behind, rear, rim) = (front - s.tray_bar_mm, length - s.tray_overlap_mm, length + 2.0 * SINK_MM);
+        let (rear, rim) = (length - s.tray_overlap_mm, length + 2.0 * SINK_MM);
         let window = (self.centre.outer_mm[0] - s.tray_window_side_mm).max(ci + 2.5);
+        // Where the window is as wide as the holes are apart, it ends before them.
+        let around = 0.5 * s.sensor_hole_diameter_mm + WINDOW_RIM_MM;
+        let behind = if window > hole - around { (front - s.tray_bar_mm).min(yh - around) } else { front - s.tray_bar_mm };
         let side = (self.centre.outer_mm[0] - 2.0 * SINK_MM).max(window + 2.5);
         let right = vec![
             sharp(wing, rear),

@@ -7,7 +7,7 @@ use nalgebra::{Matrix2, Point3, Unit, UnitQuaternion, Vector2, Vector3};
 use super::corner::{CornerSockets, strut_direction, swapped};
 use super::place::{half_space, placed, plate, turn};
 use super::record::{Fold, MaterialClass, PrintedPart, Seat, Wall, always};
-use crate::frame::skeleton::{CornerPivots, placement};
+use crate::frame::skeleton::{CornerPivots, placement, strut_fold_deg};
 use crate::params::{Frame, PartName};
 use crate::solid::{Bend, Contour, Feature};
 use crate::units::Angle;
@@ -73,7 +73,7 @@ impl BottomCorner {
             half_width_mm: self.sockets.radius_mm(),
             angle: leg,
         };
-        vec![self.sockets.strut_bend(Angle::deg(90.0 + self.strut_tilt.to_deg())), leg]
+        vec![self.sockets.strut_bend(Angle::deg(strut_fold_deg(self.strut_tilt.to_deg()))), leg]
     }
 
     /// The part as printed.

@@ -3,7 +3,7 @@
 use nalgebra::{Point3, Unit, Vector3};
 
 use super::place::half_space;
-use crate::frame::skeleton::{CornerPivots, grip_bore_mm};
+use crate::frame::skeleton::CornerPivots;
 use crate::params::Frame;
 use crate::solid::{Bend, Feature};
 use crate::units::Angle;
@@ -121,7 +121,7 @@ impl CornerSockets {
     pub fn from_frame(frame: &Frame) -> Self {
         let corner = &frame.corner;
         Self {
-            bore_mm: grip_bore_mm(frame),
+            bore_mm: frame.grip_bore_mm(),
             wall_mm: corner.corner_wall_mm,
             depth_mm: corner.corner_socket_depth_mm,
             bottom_mm: corner.corner_node_to_bottom_mm,

@@ -7,7 +7,7 @@ use nalgebra::{Point3, UnitQuaternion, Vector3};
 
 use super::place::{SINK_MM, along_y, half_space, with_mirror};
 use super::record::{Fold, MaterialClass, PrintedPart, Seat, Wall, always};
-use crate::frame::skeleton::{grip_bore_mm, placement};
+use crate::frame::skeleton::placement;
 use crate::params::{Frame, PartName};
 use crate::solid::{Contour, Feature};
 use crate::units::Angle;
@@ -70,7 +70,7 @@ impl Fork {
     pub fn from_frame(frame: &Frame) -> Self {
         let fork = &frame.fork;
         Self {
-            bore_mm: grip_bore_mm(frame),
+            bore_mm: frame.grip_bore_mm(),
             wall_mm: fork.fork_wall_mm,
             depth_mm: fork.fork_socket_depth_mm,
             arm_pitch_mm: frame.hub_joint.arm_pitch_mm,

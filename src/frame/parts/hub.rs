@@ -295,7 +295,7 @@ impl Hub<'_> {
     }
 
     fn holes(&self) -> Vec<Feature> {
-        let (h, zt, half) = (self.centre.hub_half_height_mm, self.centre.plate_top_mm, 0.5 * self.frame.hub.stack_pattern_mm);
+        let (h, zt) = (self.centre.hub_half_height_mm, self.centre.plate_top_mm);
         let radius = self.centre.bore_radius_mm;
         let plug = |t: f64| {
             let profile = Profile::new(Contour::bore([t, 0.0], radius));
@@ -308,7 +308,7 @@ impl Hub<'_> {
             let tie_mm = if i % 2 == 0 { self.centre.tie_side_mm } else { self.centre.tie_front_mm };
             holes.push(quarter(bore(tie_mm, 0.0, self.frame.hub.hub_tie_hole_diameter_mm, [-h - 1.0, h + 1.0]), diagonal - 45.0));
         }
-        for (x, y) in [(half, half), (-half, half), (-half, -half), (half, -half)] {
+        for [x, y] in Stack::axes_mm(self.frame) {
             let hub = &self.frame.hub;
             let pilot = bore(x, y, hub.stack_pilot_diameter_mm, [-h - 1.0, zt + 1.0]);
             let counterbore = bore(x, y, hub.stack_counterbore_diameter_mm, [zt - hub.stack_counterbore_depth_mm, zt + 2.0 * h]);

@@ -7,7 +7,7 @@ use nalgebra::{Point3, UnitQuaternion, Vector3};
 
 use super::place::{SINK_MM, plate, with_mirror};
 use super::record::{Fold, MaterialClass, PrintedPart, Seat, Wall, always};
-use crate::frame::skeleton::{placement, slide_bore_mm};
+use crate::frame::skeleton::placement;
 use crate::params::{Frame, PartName};
 use crate::solid::{Bend, Contour, Feature, Profile};
 use crate::units::Angle;
@@ -70,7 +70,7 @@ impl HubJoint {
         let joint = &frame.hub_joint;
         Self {
             outer_diameter_mm: joint.hub_joint_diameter_mm,
-            bore_mm: slide_bore_mm(frame),
+            bore_mm: frame.slide_bore_mm(),
             arm_pitch_mm: joint.arm_pitch_mm,
             arm_depth_mm: joint.hub_arm_socket_depth_mm,
             plug_length_mm: joint.plug_length_mm,

@@ -7,7 +7,7 @@ use nalgebra::{Point3, UnitQuaternion, Vector3};
 pub use super::knee_window::KneeWindow;
 use super::place::{along_x, half_space, placed, plate, turn, with_mirror};
 use super::record::{Fold, MaterialClass, PrintedPart, Seat, Wall, always};
-use crate::frame::skeleton::{grip_bore_mm, placement};
+use crate::frame::skeleton::placement;
 use crate::params::{Frame, PartName};
 use crate::solid::{Contour, Feature, Profile};
 use crate::units::Angle;
@@ -71,7 +71,7 @@ impl Knee {
     pub fn from_frame(frame: &Frame, strut_tilt: Angle) -> Self {
         let (knee, fork) = (&frame.knee, &frame.fork);
         Self {
-            bore_mm: grip_bore_mm(frame),
+            bore_mm: frame.grip_bore_mm(),
             depth_mm: knee.knee_socket_depth_mm,
             bottom_mm: knee.knee_node_to_bottom_mm,
             side_wall_mm: knee.knee_side_wall_mm,

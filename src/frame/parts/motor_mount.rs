@@ -8,7 +8,7 @@ use nalgebra::{Point3, UnitQuaternion, Vector3};
 use super::motor_outline::Outline;
 use super::place::{along_y, half_space, turn, with_mirror};
 use super::record::{Fold, MaterialClass, PrintedPart, Seat, Wall, always};
-use crate::frame::skeleton::{placement, slide_bore_mm};
+use crate::frame::skeleton::placement;
 use crate::params::{Frame, PartName};
 use crate::solid::Feature;
 use crate::units::Angle;
@@ -82,7 +82,7 @@ impl MotorMount {
         let mount = &frame.motor_mount;
         Self {
             arm_pitch_mm: frame.hub_joint.arm_pitch_mm,
-            bore_mm: slide_bore_mm(frame),
+            bore_mm: frame.slide_bore_mm(),
             ring_diameter_mm: mount.motor_ring_diameter_mm,
             ring_width_mm: mount.motor_ring_width_mm,
             waist_mm: mount.motor_waist_mm,

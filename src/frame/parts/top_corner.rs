@@ -8,7 +8,7 @@ use nalgebra::{Point2, Point3, UnitQuaternion, Vector2, Vector3};
 use super::corner::{CornerSockets, strut_direction, swapped};
 use super::place::{SINK_MM, along_x, half_space, plate};
 use super::record::{Fold, MaterialClass, PrintedPart, Seat, Wall, always};
-use crate::frame::skeleton::placement;
+use crate::frame::skeleton::{placement, strut_fold_deg};
 use crate::params::{Frame, PartName};
 use crate::solid::{Bend, Contour, Feature, Segment};
 use crate::units::Angle;
@@ -61,7 +61,7 @@ impl TopCorner {
 
     /// The strut folds by a right angle and its tilt against the vertical.
     pub fn bends(&self) -> Vec<Bend> {
-        vec![self.sockets.strut_bend(Angle::deg(90.0 + self.strut_tilt.to_deg()))]
+        vec![self.sockets.strut_bend(Angle::deg(strut_fold_deg(self.strut_tilt.to_deg())))]
     }
 
     /// The plate that ties the cage sockets together; after folding it lies outside, on top.

@@ -72,11 +72,13 @@ pub enum ClosureError {
         /// Most.
         max_deg: f64,
     },
-    /// The leg would have no length.
-    #[error("no room for the leg rod: {length_mm:.2} mm between its two sockets")]
+    /// The leg would be no rod.
+    #[error("no room for the leg rod: {length_mm:.2} mm between the bottoms of its two sockets, at least {least_mm:.0} mm are needed")]
     LegTooShort {
         /// What is left, mm.
         length_mm: f64,
+        /// Least length of a leg rod, mm.
+        least_mm: f64,
     },
 }
 
@@ -102,13 +104,18 @@ impl ClosureError {
             Self::StrutTooShort { .. } => OUTWARDS.into(),
             Self::Tilt { tilt_deg, max_deg, .. } if tilt_deg > max_deg => OUTWARDS.into(),
             Self::Tilt { .. } => INWARDS.into(),
-            Self::LegTooShort { .. } => "lengthen cage_rod_length_mm and arm_rod_length_mm".into(),
+            Self::LegTooShort { .. } => "lengthen cage_rod_length_mm and arm_rod_length_mm together".into(),
         }
     }
 }
 
 /// Tilts a knee can be made for: below, its bores meet the window; above, the plate no longer covers them.
 pub(super) const TILT_DEG: (f64, f64) = (10.0, 35.0);
+
+/// By how many degrees the corners' strut sockets are folded, from how they are printed to struts of a tilt.
+pub fn strut_fold_deg(strut_tilt_deg: f64) -> f64 {
+    90.0 + strut_tilt_deg
+}
 
 /// What solving rod lengths for a tilt and back may change of it, degrees.
 const ROUNDING_DEG: f64 = 1e-9;
@@ -140,8 +147,8 @@ impl Closure {
         let run = ring_half_side_mm * SQRT_2 - pivots.leg_mm - hub_leg_pivot_s_mm;
         let corner_leg = frame.corner.corner_leg_bottom_mm - pivots.leg_mm;
         let leg_rod_length_mm = libm::hypot(run, ring_half_height_mm) - joint.hub_leg_pivot_mm - corner_leg;
-        if leg_rod_length_mm < SHORTEST_LEG_MM || run <= 0.0 {
-            return Err(ClosureError::LegTooShort { length_mm: leg_rod_length_mm });
+        if leg_rod_length_mm < SHORTEST_LEG_MM {
+            return Err(ClosureError::LegTooShort { length_mm: leg_rod_length_mm, least_mm: SHORTEST_LEG_MM });
         }
         Ok(Self {
             ring_half_side_mm,
@@ -180,7 +187,7 @@ impl StrutWay {
     pub(super) fn of(frame: &Frame) -> Self {
         let rods = &frame.rods;
         let pivots = CornerPivots::of(frame);
-        let fork_bottom_s_mm = frame.hub.hub_mouth_mm + rods.arm_rod_length_mm + rods.arm_rod_slack_mm;
+        let fork_bottom_s_mm = frame.fork_bottom_mm();
         let bar_s_mm = fork_bottom_s_mm + frame.fork.fork_reach_mm;
         Self {
             pivots,

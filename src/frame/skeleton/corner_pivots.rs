@@ -1,6 +1,5 @@
 //! Where strut and leg fold in a corner.
 
-use super::bore::grip_bore_mm;
 use crate::params::Frame;
 use crate::units::Angle;
 
@@ -19,7 +18,7 @@ pub struct CornerPivots {
 impl CornerPivots {
     /// Those of a frame.
     pub fn of(frame: &Frame) -> Self {
-        let radius_mm = 0.5 * grip_bore_mm(frame) + frame.corner.corner_wall_mm;
+        let radius_mm = 0.5 * frame.grip_bore_mm() + frame.corner.corner_wall_mm;
         Self { radius_mm, strut_mm: radius_mm * Angle::deg(22.5).tan(), leg_mm: radius_mm * Angle::deg(67.5).tan() }
     }
 }

@@ -1,9 +1,8 @@
 //! The frame as a graph: nodes, rods, and the sockets that hold the rods' ends.
 
-use nalgebra::{Point3, Unit, Vector3};
+use nalgebra::{Isometry3, Point3, Translation3, Unit, UnitQuaternion, Vector3};
 use serde::Serialize;
 
-use super::bore::{grip_bore_mm, slide_bore_mm};
 use super::closure::{Closure, ClosureError};
 use super::module::{MODULE_NAMES, ModulePlaces, turn_matrix};
 use crate::params::{Frame, PartName};
@@ -83,6 +82,18 @@ impl Rod {
     pub fn sawn_mm(&self) -> f64 {
         (self.length_mm() / SAWN_MM + 1e-6).floor() * SAWN_MM
     }
+
+    /// From its own axes, z along it from its start, to the frame's.
+    pub fn pose(&self) -> Isometry3<f64> {
+        laid_along(self.start, self.end - self.start)
+    }
+}
+
+/// The pose of what is modelled along z from the origin, and lies from a point along a direction.
+pub fn laid_along(from: Point3<f64>, direction: Vector3<f64>) -> Isometry3<f64> {
+    let turn = UnitQuaternion::rotation_between(&Vector3::z(), &direction)
+        .unwrap_or_else(|| UnitQuaternion::from_axis_angle(&Vector3::x_axis(), std::f64::consts::PI));
+    Isometry3::from_parts(Translation3::from(from.coords), turn)
 }
 
 /// A bore that takes a rod's end, as assembled.
@@ -274,7 +285,7 @@ fn cage_rod(frame: &Frame, c: &Closure, suffix: &'static str, z: f64, part: Part
         bottom: Point3::new(x - x.signum() * from_node, a, z),
         axis: Vector3::new(-x.signum(), 0.0, 0.0),
         depth_mm: frame.corner.corner_socket_depth_mm,
-        bore_mm: grip_bore_mm(frame),
+        bore_mm: frame.grip_bore_mm(),
         slack_mm: 0.0,
     };
     ModuleRod { role: RodRole::Cage, suffix, ends: [end(a, 0), end(-a, 1)] }
@@ -290,7 +301,7 @@ fn strut_rod(frame: &Frame, c: &Closure, suffix: &'static str, z: f64, part: Par
         bottom: knee + up * frame.knee.knee_node_to_bottom_mm,
         axis: up,
         depth_mm: frame.knee.knee_socket_depth_mm,
-        bore_mm: grip_bore_mm(frame),
+        bore_mm: frame.grip_bore_mm(),
         slack_mm: 0.0,
     };
     let at_corner = ModuleEnd {
@@ -299,7 +310,7 @@ fn strut_rod(frame: &Frame, c: &Closure, suffix: &'static str, z: f64, part: Par
         bottom: pivot - up * (frame.corner.corner_node_to_bottom_mm - c.strut_pivot_mm),
         axis: -up,
         depth_mm: frame.corner.corner_socket_depth_mm,
-        bore_mm: grip_bore_mm(frame),
+        bore_mm: frame.grip_bore_mm(),
         slack_mm: 0.0,
     };
     ModuleRod { role: RodRole::Strut, suffix, ends: [at_knee, at_corner] }
@@ -314,7 +325,7 @@ fn arm_rod(frame: &Frame, c: &Closure, suffix: &'static str, side: f64) -> Modul
         bottom: on_diagonal(frame.hub.hub_mouth_mm, lateral, 0.0),
         axis: out,
         depth_mm: frame.hub_joint.hub_arm_socket_depth_mm,
-        bore_mm: slide_bore_mm(frame),
+        bore_mm: frame.slide_bore_mm(),
         slack_mm: 0.0,
     };
     let at_fork = ModuleEnd {
@@ -323,7 +334,7 @@ fn arm_rod(frame: &Frame, c: &Closure, suffix: &'static str, side: f64) -> Modul
         bottom: on_diagonal(c.fork_bottom_s_mm, lateral, 0.0),
         axis: -out,
         depth_mm: frame.fork.fork_socket_depth_mm,
-        bore_mm: grip_bore_mm(frame),
+        bore_mm: frame.grip_bore_mm(),
         slack_mm: frame.rods.arm_rod_slack_mm,
     };
     ModuleRod { role: RodRole::Arm, suffix, ends: [at_hub, at_fork] }
@@ -339,7 +350,7 @@ fn leg_rod(frame: &Frame, c: &Closure) -> ModuleRod {
         bottom: hub_pivot + down * frame.hub_joint.hub_leg_pivot_mm,
         axis: down,
         depth_mm: frame.hub_joint.hub_leg_socket_depth_mm,
-        bore_mm: slide_bore_mm(frame),
+        bore_mm: frame.slide_bore_mm(),
         slack_mm: 0.0,
     };
     let at_corner = ModuleEnd {
@@ -348,7 +359,7 @@ fn leg_rod(frame: &Frame, c: &Closure) -> ModuleRod {
         bottom: corner_pivot - down * (frame.corner.corner_leg_bottom_mm - c.leg_pivot_mm),
         axis: -down,
         depth_mm: frame.corner.corner_socket_depth_mm,
-        bore_mm: grip_bore_mm(frame),
+        bore_mm: frame.grip_bore_mm(),
         slack_mm: 0.0,
     };
     ModuleRod { role: RodRole::Leg, suffix: "", ends: [at_hub, at_corner] }

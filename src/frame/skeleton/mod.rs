@@ -6,7 +6,6 @@
 
 mod accessories;
 mod battery_axes;
-mod bore;
 pub mod centre;
 mod closing_lengths;
 mod closure;
@@ -19,12 +18,11 @@ mod stack;
 
 pub use accessories::{Accessories, SLOT_MM};
 pub use battery_axes::BatteryAxes;
-pub use bore::{grip_bore_mm, slide_bore_mm};
 pub use centre::Centre;
 pub use closing_lengths::closing_lengths;
-pub use closure::{BELOW_MM, Closure, ClosureError, Envelope, lengths_for};
+pub use closure::{BELOW_MM, Closure, ClosureError, Envelope, lengths_for, strut_fold_deg};
 pub use corner_pivots::CornerPivots;
-pub use graph::{Node, Rod, RodRole, SAWN_MM, Skeleton, Socket};
+pub use graph::{Node, Rod, RodRole, SAWN_MM, Skeleton, Socket, laid_along};
 pub use module::{MODULE_NAMES, MODULE_WORDS, ModulePlaces, module_turn};
 pub use rotor::{ROTORS, Rotor, Spin};
 pub use stack::Stack;

@@ -8,6 +8,7 @@ use super::height::is_same_m;
 use super::malformed::{Fault, Malformed, SourcePosition};
 use super::reading::malformed;
 use super::record::DropSet;
+use super::row_lines::{REMARK, RowLines};
 use super::table::{HEIGHTS_M, number, refused};
 use super::table_header::separator;
 
@@ -69,8 +70,8 @@ impl DropTable {
 
 fn table(bytes: &[u8]) -> Result<DropTable, (SourcePosition, Fault)> {
     let bytes = plain(bytes)?;
-    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).delimiter(separator(bytes)).from_reader(bytes);
-    let names = reader.byte_headers().map_err(|error| refused(&error))?.clone();
+    let mut reader = csv::ReaderBuilder::new().comment(Some(REMARK)).delimiter(separator(bytes)).from_reader(bytes);
+    let names = reader.byte_headers().map_err(|error| refused(&error, RowLines::of(bytes, true)))?.clone();
     let names: Vec<String> = names.iter().map(|name| String::from_utf8_lossy(name.trim_ascii()).into_owned()).collect();
     let mut before = BTreeSet::new();
     if let Some(name) = names.iter().find(|name| !before.insert(*name)) {
@@ -85,9 +86,9 @@ fn table(bytes: &[u8]) -> Result<DropTable, (SourcePosition, Fault)> {
     };
     let mut seen = BTreeSet::new();
     let mut rows = Vec::new();
-    let mut row = csv::ByteRecord::new();
-    while reader.read_byte_record(&mut row).map_err(|error| refused(&error))? {
-        let at = SourcePosition::Line(row.position().map_or(0, csv::Position::line));
+    let (mut row, mut lines) = (csv::ByteRecord::new(), RowLines::of(bytes, true));
+    while reader.read_byte_record(&mut row).map_err(|error| refused(&error, RowLines::of(bytes, true)))? {
+        let at = SourcePosition::Line(lines.at(row.position()));
         let text = |column: usize| String::from_utf8_lossy(row.get(column).unwrap_or_default().trim_ascii()).into_owned();
         let height_m = height.map(|column| number(&row, column, "height_m", &HEIGHTS_M, "m")).transpose();
         let height_m = height_m.map_err(|fault| (at, fault))?;

@@ -227,9 +227,10 @@ impl Fault {
             Self::TwoColumns { .. } => "leave one of them".into(),
             Self::Fields { .. } => "give each row as many values as there are columns; is the file cut short?".into(),
             Self::NoNumber { column: "mass_g" | "quantity", .. } => "give a number with a decimal point, a mass in grams and a whole quantity".into(),
-            Self::NoNumber { .. } => {
-                "give a finite number with a decimal point; leave a drop that lost a reading out as a whole, any other row alone".into()
+            Self::NoNumber { column: "t_s" | "accel_g" | "x" | "y" | "z", .. } => {
+                "give a finite number with a decimal point; leave a drop that lost a reading out as a whole".into()
             }
+            Self::NoNumber { .. } => "give a finite number with a decimal point, or leave the row out".into(),
             Self::NoFolds { most, .. } => format!("write after how many folds it cracked, or `held` where it held {most}"),
             Self::OutOfBounds { column: "height_m", .. } => "look at the unit: --units cm or --units mm reads other heights than m".into(),
             Self::OutOfBounds { column: "accel_g" | "x" | "y" | "z", .. } => {

@@ -37,6 +37,7 @@ mod malformed;
 mod mixed_rates;
 mod reading;
 mod record;
+mod row_lines;
 mod scale;
 mod seen_fall;
 mod session;

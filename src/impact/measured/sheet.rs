@@ -2,6 +2,7 @@
 
 use super::encoding::plain;
 use super::malformed::{Fault, SourcePosition};
+use super::row_lines::{REMARK, RowLines};
 use super::table::refused;
 use super::table_header::separator;
 
@@ -29,8 +30,8 @@ pub(super) fn rows<T, const N: usize>(
     read: impl Fn(&csv::ByteRecord, u64, Places<N>) -> Result<T, Fault>,
 ) -> Result<Vec<T>, (SourcePosition, Fault)> {
     let bytes = plain(bytes)?;
-    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).delimiter(separator(bytes)).from_reader(bytes);
-    let names = reader.byte_headers().map_err(|error| refused(&error))?.clone();
+    let mut reader = csv::ReaderBuilder::new().comment(Some(REMARK)).delimiter(separator(bytes)).from_reader(bytes);
+    let names = reader.byte_headers().map_err(|error| refused(&error, RowLines::of(bytes, true)))?.clone();
     let twice = |name: &str| names.iter().filter(|found| found.trim_ascii() == name.as_bytes()).count() > 1;
     if let Some(name) = columns.needed.iter().chain(&columns.optional).find(|name| twice(name)) {
         return Err((SourcePosition::Line(1), Fault::TwoColumns { name: name.to_string() }));
@@ -45,9 +46,9 @@ pub(super) fn rows<T, const N: usize>(
     }
     let places = (found.map(Option::unwrap_or_default), columns.optional.and_then(place));
     let mut said = Vec::new();
-    let mut row = csv::ByteRecord::new();
-    while reader.read_byte_record(&mut row).map_err(|error| refused(&error))? {
-        let line = row.position().map_or(0, csv::Position::line);
+    let (mut row, mut lines) = (csv::ByteRecord::new(), RowLines::of(bytes, true));
+    while reader.read_byte_record(&mut row).map_err(|error| refused(&error, RowLines::of(bytes, true)))? {
+        let line = lines.at(row.position());
         said.push(read(&row, line, places).map_err(|fault| (SourcePosition::Line(line), fault))?);
     }
     if said.is_empty() { Err((SourcePosition::Whole, Fault::NoReadings)) } else { Ok(said) }

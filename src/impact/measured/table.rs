@@ -15,6 +15,7 @@ use super::logger::Calibration;
 use super::logger::Label;
 use super::malformed::{Fault, SourcePosition};
 use super::record::Record;
+use super::row_lines::RowLines;
 use super::spread::Spread;
 use super::table_format::TableFormat;
 use super::table_header::{Header, separator};
@@ -257,7 +258,7 @@ pub(super) fn records(bytes: &[u8], source: &str, label: Option<&Label>, format:
         return Err((SourcePosition::Whole, Fault::Empty));
     }
     let mut reader = csv::ReaderBuilder::new().delimiter(separator(bytes)).buffer_capacity(1 << 16).from_reader(bytes);
-    let names = reader.byte_headers().map_err(|error| refused(&error))?;
+    let names = reader.byte_headers().map_err(|error| refused(&error, RowLines::of(bytes, false)))?;
     let header = Header::of(names, format, label.is_some()).map_err(|fault| (SourcePosition::Line(1), fault))?;
     let mut builder = Builder {
         source,
@@ -272,9 +273,8 @@ pub(super) fn records(bytes: &[u8], source: &str, label: Option<&Label>, format:
         before: None,
     };
     let mut row = csv::ByteRecord::new();
-    while reader.read_byte_record(&mut row).map_err(|error| refused(&error))? {
-        let line = row.position().map_or(0, csv::Position::line);
-        builder.row(&row).map_err(|fault| (SourcePosition::Line(line), fault))?;
+    while reader.read_byte_record(&mut row).map_err(|error| refused(&error, RowLines::of(bytes, false)))? {
+        builder.row(&row).map_err(|fault| (SourcePosition::Line(RowLines::of(bytes, false).at(row.position())), fault))?;
     }
     if builder.records.is_empty() {
         return Err((SourcePosition::Whole, Fault::Empty));
@@ -288,8 +288,9 @@ pub(super) fn records(bytes: &[u8], source: &str, label: Option<&Label>, format:
     Ok((builder.records, Aside { columns: builder.header.others, stamped_hz, has_speeds }))
 }
 
-pub(super) fn refused(error: &csv::Error) -> Refused {
-    let place = error.position().map_or(SourcePosition::Whole, |position| SourcePosition::Line(position.line()));
+/// What the reader refuses, with its line among those of the table.
+pub(super) fn refused(error: &csv::Error, mut lines: RowLines) -> Refused {
+    let place = error.position().map_or(SourcePosition::Whole, |position| SourcePosition::Line(lines.at(Some(position))));
     match error.kind() {
         csv::ErrorKind::UnequalLengths { expected_len, len, .. } => (place, Fault::Fields { found: *len, expected: *expected_len }),
         _ => (place, Fault::Unreadable { why: error.to_string(), kind: ErrorKind::InvalidData }),

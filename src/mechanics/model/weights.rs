@@ -68,7 +68,10 @@ impl Covered {
 /// Shares the table out.
 pub fn weights(design: &Design, masses: &MassTable) -> Weights {
     let covered: Vec<Covered> = masses.lines.iter().map(|line| Covered::of(design, line)).collect();
-    let flexible = |line: &MassLine| PartName::ALL.into_iter().find(|part| is_beams(*part) && part.slug() == line.name);
+    let flexible = |line: &MassLine| {
+        let is_of = |part: &PartName| line.kind == LineKind::Printed && is_beams(*part) && part.slug() == line.name;
+        PartName::ALL.into_iter().find(is_of)
+    };
     let on_motor = |line: &MassLine| line.kind == LineKind::Bought && ON_MOTORS.contains(&line.name.as_str());
     let parts = masses.lines.iter().filter_map(|line| Some((flexible(line)?, line.each_g))).collect();
     let left = |(line, covered): (&MassLine, &Covered)| {
@@ -98,9 +101,9 @@ mod tests {
     use crate::frame::assembly::mass;
     use crate::params::{Frame, FrameFile};
 
-    /// Weights of the default frame with an extra, and all that they hold, g, beside the table's total.
-    fn with(extra: &str) -> (Weights, f64, f64) {
-        let text = format!("base = \"cognifly\"\n[extras.weighed]\nmass_basis = \"measured\"\nsource = \"scale\"\n{extra}\n");
+    /// Weights of the default frame with an extra of this name, and all that they hold, g, beside the table's total.
+    fn with(name: &str, extra: &str) -> (Weights, f64, f64) {
+        let text = format!("base = \"cognifly\"\n[extras.{name}]\nmass_basis = \"measured\"\nsource = \"scale\"\n{extra}\n");
         let file = FrameFile::parse("covered", &text).expect("is TOML");
         let design = Design::new(Frame::resolve(&file).expect("is a frame")).expect("closes");
         let masses = mass::table(&design);
@@ -115,16 +118,22 @@ mod tests {
 
     #[test]
     fn analytic_the_model_weighs_what_the_table_says_whatever_extras_cover() {
-        let (plain, ..) = with("mass_g = 0.0");
+        let (plain, ..) = with("weighed", "mass_g = 0.0");
         for extra in [
             "mass_g = 33.0\ncovers = [\"rod\"]",
             "mass_g = 40.0\ncovers = [\"motor\", \"motor_screw\"]",
             "mass_g = 80.0\ncovers = [\"rod\", \"motor\", \"battery\"]",
             "mass_g = 20.0\ncovers = [\"rod\", \"battery\"]",
         ] {
-            let (weights, all_g, total_g) = with(extra);
+            let (weights, all_g, total_g) = with("weighed", extra);
             assert!((all_g - total_g).abs() < 1e-6 * total_g, "{extra}: {all_g} and {total_g}");
             assert!(weights.centre.mass_g < plain.centre.mass_g + 5.0, "{extra}: {}", weights.centre.mass_g);
+        }
+        // An extra that is called as a part is, is not that part.
+        for name in ["knee", "fork", "ballast"] {
+            let (weights, all_g, total_g) = with(name, "mass_g = 60.0");
+            assert!((all_g - total_g).abs() < 1e-6 * total_g, "{name}: {all_g} and {total_g}");
+            assert!((weights.centre.mass_g - plain.centre.mass_g - 60.0).abs() < 1e-9, "{name}: {}", weights.centre.mass_g);
         }
     }
 }

@@ -7,7 +7,7 @@ use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::MassTable;
 use crate::mechanics::model::frame_model::{Extent, FrameModel};
 use crate::mechanics::parts::parts_plan::PartModel;
-use crate::mechanics::settings::MechanicsSettings;
+use crate::mechanics::settings::{MechanicsSettings, YOUNG_MPA};
 
 /// A measured point: displacement, mm, force, N.
 pub type Measured = [f64; 2];
@@ -35,7 +35,7 @@ pub enum CalibrationError {
         points: usize,
     },
     /// Displacements that no dynamometer shows.
-    #[error("the largest displacement is {farthest_mm} mm: are displacements in mm?")]
+    #[error("the largest displacement is {farthest_mm} mm, less than {LEAST_MM} mm: are displacements in mm?")]
     Small {
         /// The largest.
         farthest_mm: f64,
@@ -47,16 +47,26 @@ pub enum CalibrationError {
         displacement_mm: f64,
     },
     /// The modulus left its bounds.
-    #[error("the points ask for a modulus of {young_mpa:.1} MPa, outside 10 to 400: is the force in N, the displacement in mm?")]
+    #[error(
+        "the points ask for a modulus of {young_mpa:.1} MPa, outside {} to {}: is the force in N, the displacement in mm?", YOUNG_MPA[0], YOUNG_MPA[1]
+    )]
     Outside {
         /// The modulus.
         young_mpa: f64,
+    },
+    /// The modulus still moved.
+    #[error("the modulus did not settle in {STEPS} steps: the last one still changed it by a factor of {ratio:.6}")]
+    NotSettled {
+        /// The last step's factor.
+        ratio: f64,
     },
     /// No curve.
     #[error(transparent)]
     Curve(#[from] CurveError),
 }
 
+/// Most steps of the modulus.
+const STEPS: usize = 8;
 /// A test that goes less far than this is one in metres, mm.
 const LEAST_MM: f64 = 0.1;
 
@@ -92,7 +102,8 @@ pub fn calibrate(
         return Err(CalibrationError::Small { farthest_mm: farthest });
     }
     let mut settings = settings.for_material(&design.frame.flexible.material);
-    for _ in 0..8 {
+    let mut ratio = 1.0;
+    for _ in 0..STEPS {
         let model = FrameModel::of_parts(design, parts, masses, &settings, Extent::Quarter).map_err(CurveError::from)?;
         let curve = StaticCurve::new(&model, farthest, &[])?;
         let (mut cross, mut square) = (0.0, 0.0);
@@ -101,7 +112,7 @@ pub fn calibrate(
             cross += own * f;
             square += own * own;
         }
-        let ratio = cross / square;
+        ratio = cross / square;
         if (ratio - 1.0).abs() < 1e-5 {
             let rms_n = rms_n(&curve, measured).unwrap_or(f64::INFINITY);
             let freedom = (measured.len() - 1) as f64;
@@ -116,9 +127,9 @@ pub fn calibrate(
             return Ok(Calibration { settings, interval_mpa, rms_n, curve });
         }
         settings.young_mpa *= ratio;
-        if !(10.0..=400.0).contains(&settings.young_mpa) {
+        if !(YOUNG_MPA[0]..=YOUNG_MPA[1]).contains(&settings.young_mpa) {
             return Err(CalibrationError::Outside { young_mpa: settings.young_mpa });
         }
     }
-    Err(CalibrationError::Outside { young_mpa: settings.young_mpa })
+    Err(CalibrationError::NotSettled { ratio })
 }

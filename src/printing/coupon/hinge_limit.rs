@@ -164,7 +164,7 @@ fn factor(frame: &Frame, strain_percent: f64) -> Result<(f64, f64), FoldingError
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::frame::skeleton::Closure;
+    use crate::frame::skeleton::{Closure, strut_fold_deg};
     use crate::params::FrameFile;
 
     fn frame() -> Frame {
@@ -202,7 +202,7 @@ mod tests {
             assert!(thin < own && own < thick, "{hinges:?}");
             let found = limit(&frame, &[(own, None), (thin, Some(1))]).expect("a limit");
             let tilt = Closure::solve(&frame).expect("closes").strut_tilt.to_deg();
-            let folded = fold::web(&frame, Angle::deg(90.0 + tilt)).strain_percent;
+            let folded = fold::web(&frame, Angle::deg(strut_fold_deg(tilt))).strain_percent;
             assert!(folded <= found.elongation_percent / found.factor, "{preset}: {folded} {found:?}");
         }
     }

@@ -6,7 +6,7 @@
 
 use super::label::two_digits;
 use crate::frame::fold;
-use crate::frame::skeleton::{Closure, ClosureError};
+use crate::frame::skeleton::{Closure, ClosureError, strut_fold_deg};
 use crate::params::Frame;
 use crate::solid::{Contour, Feature, Profile};
 use crate::units::Angle;
@@ -52,7 +52,7 @@ impl Hinges {
         let (own_mm, radius_mm) = (frame.corner.corner_hinge_thickness_mm, closure.corner_radius_mm);
         let [thinner, own, thicker] = OVER_OWN.map(|share| share * own_mm);
         let thicker = thicker.min(2.0 * radius_mm - LEAST_NOTCH_MM).max(own_mm + LEAST_THICKER_MM);
-        let largest_deg = 90.0_f64 + closure.strut_tilt.to_deg();
+        let largest_deg = strut_fold_deg(closure.strut_tilt.to_deg());
         Ok(Self {
             thicknesses_mm: [in_tenths(thinner), own, in_tenths(thicker)],
             fold_deg: (largest_deg + LEAST_FURTHER_DEG).ceil(),

@@ -25,8 +25,13 @@ impl Hanging {
         } else if self.bridged {
             (self.span_mm > process.bridge_mm).then_some(Fault::Bridge)
         } else {
-            (self.reach_mm > process.ledge_mm).then_some(Fault::Overhang)
+            (self.overhang_mm(process) > process.ledge_mm).then_some(Fault::Overhang)
         }
+    }
+
+    /// How far it reaches out, mm. Of what rests on nothing nobody knows from where: it is as far as it is large, and farther than anything may.
+    pub fn overhang_mm(&self, process: &Process) -> f64 {
+        if self.reach_mm.is_finite() { self.reach_mm } else { libm::sqrt(self.area_mm2).max(2.0 * process.ledge_mm) }
     }
 }
 

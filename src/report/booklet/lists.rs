@@ -1,6 +1,6 @@
 //! What to have at hand before the first step: the parts, the rods to cut, what is used up, and tools.
 
-use crate::export::bill::{Bill, BuyLine};
+use crate::export::bill::{Bill, BuyLine, CutLine};
 use crate::export::cutting;
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::{LineKind, MassTable};
@@ -23,7 +23,7 @@ pub struct Lists {
 impl Lists {
     pub(super) fn new(design: &Design, fold: &FoldSequence, masses: &MassTable, bill: &Bill) -> Self {
         let supplies = bill.buy.iter().filter(|line| line.kind == "supply").map(supply).collect();
-        Self { parts: parts(design, masses), cuts: cuts(design), supplies, tools: tools(design, fold) }
+        Self { parts: parts(design, masses), cuts: cuts(design, bill), supplies, tools: tools(design, fold) }
     }
 }
 
@@ -70,18 +70,13 @@ fn two_lengths(design: &Design) -> Option<String> {
     design.skeleton.closure.places.are_apart().then_some(line)
 }
 
-fn cuts(design: &Design) -> Vec<String> {
-    let stock_mm = design.frame.stock_mm();
-    match cutting::cutting_plan(design, stock_mm) {
-        Ok(plan) => plan
-            .iter()
-            .enumerate()
-            .map(|(index, stock)| {
-                let pieces: Vec<String> = stock.pieces.iter().map(|(role, mm)| format!("{} {mm:.1}", words(*role))).collect();
-                format!("{}. of {stock_mm:.0} mm: {}; rest {}", index + 1, pieces.join(", "), cutting::rest_words(stock.rest_mm))
-            })
-            .chain(two_lengths(design))
-            .collect(),
-        Err(error) => vec![error.to_string()],
+fn cuts(design: &Design, bill: &Bill) -> Vec<String> {
+    if let Some(error) = &bill.cut_error {
+        return vec![error.clone()];
     }
+    let line = |(index, cut): (usize, &CutLine)| {
+        let pieces: Vec<String> = cut.pieces.iter().map(|(rod, mm)| format!("{} {mm:.1}", spaced(rod))).collect();
+        format!("{}. of {:.0} mm: {}; rest {}", index + 1, bill.stock_mm, pieces.join(", "), cutting::rest_words(cut.rest_mm))
+    };
+    bill.cut.iter().enumerate().map(line).chain(two_lengths(design)).collect()
 }

@@ -2,10 +2,9 @@
 
 use std::fmt::Write;
 
-use crate::export::bill::{Bill, bill};
+use crate::export::bill::Bill;
 use crate::figures::decimals;
 use crate::frame::assembly::Design;
-use crate::frame::assembly::mass::MassTable;
 use crate::frame::fold::FoldSequence;
 use crate::frame::mounting::mounts_of;
 use crate::markdown::inert;
@@ -15,8 +14,7 @@ use crate::printing::plates::Plate;
 type Row = [String; 4];
 
 /// The section of a page.
-pub fn section(page: &mut String, design: &Design, masses: &MassTable, plates: &[(Plate, Vec<u8>)]) {
-    let bill = bill(design, masses, None);
+pub fn section(page: &mut String, design: &Design, bill: &Bill, plates: &[(Plate, Vec<u8>)]) {
     page.push_str("## What to do next\n\n| | what | time | cost | where it stands |\n|---|---|---:|---:|---|\n");
     let try_first: Row = [
         "try the printer: fits and hinges, on a coupon, with a piece of a bought rod".into(),
@@ -24,7 +22,7 @@ pub fn section(page: &mut String, design: &Design, masses: &MassTable, plates: &
         unknown(),
         "`flexframe coupon FRAME`".into(),
     ];
-    let steps = [buy(&bill), try_first, print(design, &bill, plates), cut(&bill), put_together(design)];
+    let steps = [buy(bill), try_first, print(design, bill, plates), cut(bill), put_together(design)];
     for (at, [what, time, cost, place]) in steps.iter().enumerate() {
         // Writing to a String cannot fail.
         let _ = writeln!(page, "| {} | {what} | {time} | {cost} | {place} |", at + 1);

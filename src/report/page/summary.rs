@@ -4,16 +4,24 @@ use std::fmt::Write;
 
 use super::next_steps;
 use crate::checks::{Finding, Tightest, Verdict, tightest};
-use crate::export::cutting;
+use crate::export::bill::Bill;
 use crate::figures::decimals;
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::MassTable;
+use crate::frame::skeleton::strut_fold_deg;
 use crate::markdown::inert;
 use crate::params::Frame;
 use crate::printing::plates::Plate;
 
-/// The report of a design, with its findings and its plates; `pictures` says whether the pictures lie beside it.
-pub fn markdown(design: &Design, masses: &MassTable, findings: &[Finding], plates: &[(Plate, Vec<u8>)], pictures: bool) -> String {
+/// The report of a design, with its bill, its findings and its plates; `pictures` says whether the pictures lie beside it.
+pub fn markdown(
+    design: &Design,
+    masses: &MassTable,
+    bill: &Bill,
+    findings: &[Finding],
+    plates: &[(Plate, Vec<u8>)],
+    pictures: bool,
+) -> String {
     let mut page = String::new();
     let frame = &design.frame;
     // Writing to a String cannot fail.
@@ -22,14 +30,14 @@ pub fn markdown(design: &Design, masses: &MassTable, findings: &[Finding], plate
         let _ = writeln!(page, "{}\n", inert(&frame.description));
     }
     verdict(&mut page, findings);
-    next_steps::section(&mut page, design, masses, plates);
+    next_steps::section(&mut page, design, bill, plates);
     page.push_str("## The frame\n\n");
     if pictures {
         page.push_str("![assembled](pictures/assembled_perspective.png)\n\n");
     }
     geometry(&mut page, design, masses);
     printed(&mut page, design, masses, pictures);
-    rods(&mut page, design);
+    rods(&mut page, design, bill);
     weights(&mut page, masses);
     limits(&mut page, findings);
     if pictures {
@@ -87,7 +95,7 @@ fn geometry(page: &mut String, design: &Design, masses: &MassTable) {
     let _ = writeln!(
         page,
         "| folds: struts at the corners, legs at both ends | {:.1}°, {:.1}° |",
-        90.0 + c.strut_tilt.to_deg(),
+        strut_fold_deg(c.strut_tilt.to_deg()),
         c.leg_tilt.to_deg()
     );
     page.push('\n');
@@ -97,7 +105,7 @@ fn printed(page: &mut String, design: &Design, masses: &MassTable, pictures: boo
     page.push_str("## Print\n\n| part | pieces | material | size mm | volume mm³ | g each | file |\n|---|---|---|---|---|---|---|\n");
     for part in &design.printed {
         let [x, y, z] = part.mesh.size_mm();
-        let line = masses.lines.iter().find(|line| line.name == part.name.slug());
+        let line = masses.printed(part.name);
         let (material, each) = line.map_or((String::new(), 0.0), |line| (inert(&line.material), line.each_g));
         let picture = if pictures { format!(" [picture](pictures/part_{}.png)", part.name) } else { String::new() };
         let _ = writeln!(
@@ -119,20 +127,17 @@ fn stock_words(frame: &Frame) -> String {
     wall_mm.map_or_else(|| format!("Rods of {across_mm} mm"), |wall| format!("Tubes of {across_mm} mm with walls of {wall} mm"))
 }
 
-fn rods(page: &mut String, design: &Design) {
+fn rods(page: &mut String, design: &Design, bill: &Bill) {
     let _ = writeln!(page, "## Cut\n\n{}, {}:\n", stock_words(&design.frame), inert(&design.frame.rod_material.name));
     for role in design.skeleton.roles() {
         let _ = writeln!(page, "- {} x {} {:.1} mm", design.skeleton.rods_of(role).count(), role.slug(), design.skeleton.sawn_mm(role));
     }
-    let stock_mm = design.frame.stock_mm();
-    match cutting::cutting_plan(design, stock_mm) {
-        Ok(plan) => {
-            let _ = writeln!(page, "\n{} stock lengths of {stock_mm:.0} mm; which piece from which stands in `bom.csv`.\n", plan.len());
+    let _ = match &bill.cut_error {
+        None => {
+            writeln!(page, "\n{} stock lengths of {:.0} mm; which piece from which stands in `bom.csv`.\n", bill.cut.len(), bill.stock_mm)
         }
-        Err(error) => {
-            let _ = writeln!(page, "\n**{}**\n", inert(&error.to_string()));
-        }
-    }
+        Some(error) => writeln!(page, "\n**{}**\n", inert(error)),
+    };
 }
 
 fn weights(page: &mut String, masses: &MassTable) {

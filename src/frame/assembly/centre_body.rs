@@ -11,13 +11,13 @@ use crate::frame::parts::battery_bracket::connector;
 use crate::frame::parts::outline::along_y;
 use crate::frame::skeleton::{Accessories, Centre, Stack};
 use crate::params::Frame;
-use crate::params::catalogue::BoughtPart as Entry;
+use crate::params::catalogue::BoughtPart;
 use crate::params::hung_boards::hung_boards;
 use crate::solid::Feature;
 
-/// A bought part of the centre.
+/// A body of the centre that is bought: a part of the catalogue, or one of its pieces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum BoughtPart {
+pub enum CentreBody {
     /// The battery.
     Battery,
     /// The computer's board.
@@ -71,7 +71,7 @@ const CAMERA_BOARD_MM: f64 = 1.1;
 /// Half the width of a camera's lens, mm.
 const LENS_HALF_MM: f64 = 4.25;
 
-impl BoughtPart {
+impl CentreBody {
     /// All of them.
     pub const ALL: [Self; 20] = [
         Self::Battery,
@@ -180,14 +180,14 @@ fn turned(centre: &Centre, own: Feature) -> Feature {
 }
 
 /// A box, long from front to rear, on its seat.
-fn on_plate(role: &str, part: &Entry, frame: &Frame, centre: &Centre) -> Option<Feature> {
+fn on_plate(role: &str, part: &BoughtPart, frame: &Frame, centre: &Centre) -> Option<Feature> {
     let [long, wide, high] = part.size_mm;
     let low = Feature::cuboid_between([-0.5 * wide, -0.5 * long, 0.0], [0.5 * wide, 0.5 * long, high]);
     Some(low.placed(Accessories::new(frame, centre).pose(role, frame)?))
 }
 
 /// Its case, as deep as it is high, on the axis of its side screws, and the lens in front of it.
-fn fpv_camera(part: &Entry, frame: &Frame, centre: &Centre) -> Option<Feature> {
+fn fpv_camera(part: &BoughtPart, frame: &Frame, centre: &Centre) -> Option<Feature> {
     let [wide, high, deep] = part.size_mm;
     let (case, half) = (deep.min(0.75 * high), 0.5 * deep);
     let body = Feature::cuboid_between([-0.5 * wide, -half, -0.5 * high], [0.5 * wide, case - half, 0.5 * high]);
@@ -200,11 +200,13 @@ fn battery(frame: &Frame, centre: &Centre) -> Feature {
     let b = &frame.battery;
     let (half, low) = (0.5 * b.battery_width_mm, centre.sleeve_z_mm() - centre.inner_mm[1]);
     let [rear, front] = centre.battery_y_mm;
+    // A pack that is shorter than its space is taped to the lid's floor.
+    let front = frame.battery_as_it_lies_mm().map_or(front, |[long_mm, ..]| front.min(rear + long_mm));
     Feature::cuboid_between([-half, rear, low], [half, front, low + b.battery_height_mm])
 }
 
 /// Long along y, on its carrier; its lower side is bare.
-fn computer(part: &Entry, frame: &Frame, centre: &Centre) -> Feature {
+fn computer(part: &BoughtPart, frame: &Frame, centre: &Centre) -> Feature {
     let p = &frame.pi_carrier;
     board(part, true, [p.pi_pattern_across_mm, p.pi_pattern_along_mm], centre.carrier_top_mm(), Populated::Above)
 }
@@ -218,17 +220,28 @@ fn stack_board(role: &str, frame: &Frame, centre: &Centre) -> Option<Feature> {
     Some(board(placed.part, turned, [frame.hub.stack_pattern_mm; 2], low_mm, Populated::Both))
 }
 
-/// As long as the mated pair, less what the lid's half takes of it.
-fn connector_bracket(part: &Entry, frame: &Frame, centre: &Centre) -> Feature {
+/// Length of the halves of the power connector, mm: of the bracket's, and of the lid's. The lid's reaches from behind the lid's block to the bracket,
+/// and the other one is what the mated pair is long beyond that. No pair has halves of every length: the rule `hardware_fit` looks at them.
+pub fn connector_halves_mm(pair_mm: f64, frame: &Frame, centre: &Centre) -> [f64; 2] {
+    let lid_mm = -centre.bracket_half_mm - lid_block_rear_mm(frame, centre) + CONNECTOR_BEHIND_MM;
+    [pair_mm - lid_mm, lid_mm]
+}
+
+/// Where the rear face of the lid's block is, along y of the battery's axes.
+fn lid_block_rear_mm(frame: &Frame, centre: &Centre) -> f64 {
+    centre.rim_y_mm - frame.lid.lid_reach_mm - frame.lid.lid_block_depth_mm
+}
+
+fn connector_bracket(part: &BoughtPart, frame: &Frame, centre: &Centre) -> Feature {
     let rear = -centre.bracket_half_mm;
-    let lid_rear = centre.rim_y_mm - frame.lid.lid_reach_mm - frame.lid.lid_block_depth_mm - CONNECTOR_BEHIND_MM;
-    let reach = [rear, (lid_rear + part.size_mm[0]).max(rear + 1.0)];
+    let [long_mm, _] = connector_halves_mm(part.size_mm[0], frame, centre);
+    let reach = [rear, rear + long_mm.max(1.0)];
     along_y(connector(&frame.bracket, CONNECTOR_PLAY_MM, centre.connector_z_mm + centre.bracket_z_mm()), reach)
 }
 
 fn connector_lid(frame: &Frame, centre: &Centre) -> Feature {
     let (b, z) = (&frame.bracket, centre.connector_z_mm + centre.bracket_z_mm());
-    let rear = centre.rim_y_mm - frame.lid.lid_reach_mm - frame.lid.lid_block_depth_mm;
+    let rear = lid_block_rear_mm(frame, centre);
     let nose = along_y(connector(b, b.connector_step_mm + CONNECTOR_PLAY_MM, z), [rear - 0.5, -centre.bracket_half_mm - 0.05]);
     Feature::union([nose, along_y(connector(b, CONNECTOR_PLAY_MM, z), [rear - CONNECTOR_BEHIND_MM, rear])])
 }
@@ -241,7 +254,7 @@ fn magnet(frame: &Frame, centre: &Centre, front: f64) -> Feature {
 }
 
 /// Under its tray, its bare side up.
-fn flow_sensor(part: &Entry, frame: &Frame, centre: &Centre) -> Feature {
+fn flow_sensor(part: &BoughtPart, frame: &Frame, centre: &Centre) -> Feature {
     let s = &frame.sleeve;
     let [width, depth, height] = part.size_mm;
     let before = SENSOR_BEFORE_MM.min(0.5 * depth);
@@ -252,7 +265,7 @@ fn flow_sensor(part: &Entry, frame: &Frame, centre: &Centre) -> Feature {
 
 /// Upright, its back on the connectors' posts, its upper holes as far from the upper edge as from the sides. The lens is as high as the
 /// lower holes, and all that the camera is deep beyond its circuit board is in front of that.
-fn camera(part: &Entry, frame: &Frame, centre: &Centre) -> Feature {
+fn camera(part: &BoughtPart, frame: &Frame, centre: &Centre) -> Feature {
     let ([width, height, deep], c) = (part.size_mm, &frame.camera);
     let thick = part.board_thickness_mm.unwrap_or(CAMERA_BOARD_MM).min(deep);
     let above = 0.5 * c.camera_pattern_up_mm + 0.5 * (width - c.camera_pattern_across_mm).clamp(0.0, height);
