@@ -1,11 +1,21 @@
 //! The mounts as motion: when a body is first seen, and how far off its place it waits until then.
 
+use std::cmp::Ordering;
+
 use nalgebra::Vector3;
 
 use crate::frame::assembly::Design;
 use crate::frame::assembly::wire::Wire;
 use crate::frame::fold::FoldSequence;
 use crate::frame::mounting::{MountStep, Mounting};
+
+/// How far off its place a group of parts waits at least until its step comes, mm: clear of what is put together there meanwhile.
+const WAITS_MM: f64 = 80.0;
+
+/// The same direction, and far enough to wait there.
+fn waiting_off_mm(shown_mm: Vector3<f64>) -> Vector3<f64> {
+    shown_mm.try_normalize(0.0).map_or(shown_mm, |along| along * shown_mm.norm().max(WAITS_MM))
+}
 
 /// The mounts of a design around its fold.
 pub(super) struct MountMotion {
@@ -61,7 +71,37 @@ impl MountMotion {
         let later = self.mounting.after.iter().enumerate().map(|(at, step)| (self.before + self.folds + at, step));
         let brings = mounts.chain(later).find(|(_, step)| step.brings.iter().any(|name| name == body));
         let Some((at, step)) = brings else { return Vector3::zeros() };
-        let own = if at < done { Vector3::zeros() } else { step.shown_off_mm() };
+        let own = match at.cmp(&done) {
+            Ordering::Less => Vector3::zeros(),
+            Ordering::Equal => step.shown_off_mm(),
+            Ordering::Greater => waiting_off_mm(step.shown_off_mm()),
+        };
         own + self.off_mm(step.onto, done)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::params::Frame;
+
+    /// Dampers are put into the flight controller under the hub while the bracket with its sleeve still waits below.
+    #[test]
+    fn regress_what_waits_is_clear_of_what_is_put_together_meanwhile() {
+        let design = Design::new(Frame::load("cognifly").expect("a preset").0).expect("closes");
+        let fold = FoldSequence::new(&design.frame, &design.skeleton).expect("folds");
+        let motion = MountMotion::new(&design, &fold);
+        let step = motion.step_of("dampers");
+        let span_mm = |name: &str, done: usize| {
+            let body = design.bodies.iter().find(|body| body.name == name).expect("is there");
+            let [low, high] = design.shape(body).solid.bounds_in_mm(&body.pose);
+            [low[2], high[2]].map(|z| z + motion.off_mm(name, done).z)
+        };
+        let ([_, sleeve_top], [dampers_low, _]) = (span_mm("battery_sleeve", step), span_mm("damper", step));
+        assert!(sleeve_top < dampers_low - 20.0, "{sleeve_top} {dampers_low}");
+        // It comes near before its own step, and is in its place after that.
+        let bracket = motion.step_of("bracket");
+        let off = |done: usize| motion.off_mm("battery_bracket", done).norm();
+        assert!(off(bracket - 1) >= WAITS_MM && off(bracket) < 30.0 && off(bracket + 1) == 0.0);
     }
 }
