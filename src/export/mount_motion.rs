@@ -1,7 +1,5 @@
 //! The mounts as motion: when a body is first seen, and how far off its place it waits until then.
 
-use std::cmp::Ordering;
-
 use nalgebra::Vector3;
 
 use crate::frame::assembly::Design;
@@ -9,7 +7,7 @@ use crate::frame::assembly::wire::Wire;
 use crate::frame::fold::FoldSequence;
 use crate::frame::mounting::{MountStep, Mounting};
 
-/// How far off its place a group of parts waits at least until its step comes, mm: clear of what is put together there meanwhile.
+/// How far off its place a group of parts waits at least while others are put there from the same side, mm: clear of those that stand off it themselves.
 const WAITS_MM: f64 = 80.0;
 
 /// The same direction, and far enough to wait there.
@@ -65,16 +63,26 @@ impl MountMotion {
         step < first || mount.is_some_and(|mount| mount.taken_out.iter().any(|name| name == body))
     }
 
+    /// The mounts, each with its step, from 0.
+    fn numbered(&self) -> impl Iterator<Item = (usize, &MountStep)> {
+        let later = self.mounting.after.iter().enumerate().map(|(at, step)| (self.before + self.folds + at, step));
+        self.mounting.before.iter().enumerate().chain(later)
+    }
+
     /// How far a mounted body is off its place when so many steps are done, mm.
     pub(super) fn off_mm(&self, body: &str, done: usize) -> Vector3<f64> {
-        let mounts = self.mounting.before.iter().enumerate();
-        let later = self.mounting.after.iter().enumerate().map(|(at, step)| (self.before + self.folds + at, step));
-        let brings = mounts.chain(later).find(|(_, step)| step.brings.iter().any(|name| name == body));
-        let Some((at, step)) = brings else { return Vector3::zeros() };
-        let own = match at.cmp(&done) {
-            Ordering::Less => Vector3::zeros(),
-            Ordering::Equal => step.shown_off_mm(),
-            Ordering::Greater => waiting_off_mm(step.shown_off_mm()),
+        let Some((at, step)) = self.numbered().find(|(_, step)| step.brings.iter().any(|name| name == body)) else {
+            return Vector3::zeros();
+        };
+        let is_in_its_way = |(other_at, other): (usize, &MountStep)| {
+            (done..at).contains(&other_at) && !other.brings.is_empty() && (other.onto, other.from) == (step.onto, step.from)
+        };
+        let own = if at < done {
+            Vector3::zeros()
+        } else if self.numbered().any(is_in_its_way) {
+            waiting_off_mm(step.shown_off_mm())
+        } else {
+            step.shown_off_mm()
         };
         own + self.off_mm(step.onto, done)
     }
@@ -99,9 +107,10 @@ mod tests {
         };
         let ([_, sleeve_top], [dampers_low, _]) = (span_mm("battery_sleeve", step), span_mm("damper", step));
         assert!(sleeve_top < dampers_low - 20.0, "{sleeve_top} {dampers_low}");
-        // It comes near before its own step, and is in its place after that.
-        let bracket = motion.step_of("bracket");
+        // It comes near when the last of them is in its place, and is in its own after its step.
+        let [nuts, bracket] = ["stack_nuts", "bracket"].map(|mount| motion.step_of(mount));
         let off = |done: usize| motion.off_mm("battery_bracket", done).norm();
-        assert!(off(bracket - 1) >= WAITS_MM && off(bracket) < 30.0 && off(bracket + 1) == 0.0);
+        assert!(off(0) >= WAITS_MM && off(nuts) >= WAITS_MM && off(nuts + 1) < 30.0 && off(bracket) > 0.0 && off(bracket + 1) == 0.0);
+        assert!(motion.off_mm("flight_controller", step).norm() < WAITS_MM);
     }
 }
