@@ -41,11 +41,12 @@ const COMPARED_DIGITS: i32 = 5;
 
 /// A figure as it is compared with another frame's.
 pub fn resolved(figure: f64) -> f64 {
-    if figure == 0.0 || !figure.is_finite() {
-        return figure;
-    }
-    let unit = 10_f64.powi(COMPARED_DIGITS - 1 - libm::log10(figure.abs()).floor() as i32);
-    (figure * unit).round() / unit
+    // Saturates: none has a logarithm without end.
+    let places = (COMPARED_DIGITS - 1).saturating_sub(libm::log10(figure.abs()).floor() as i32);
+    let unit = 10_f64.powi(places);
+    let rounded = (figure * unit).round() / unit;
+    // Of none, and of what is next to none or endless, there are no digits.
+    if rounded.is_finite() { rounded } else { figure }
 }
 
 /// Whether figures, of each of which less is better, beat others: none is worse, and one is better.
@@ -300,6 +301,19 @@ pub fn measure_names() -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    proptest::proptest! {
+        /// Half of the fifth digit away at most; what has no digits stays as it is.
+        #[test]
+        fn analytic_compared_figures_are_near(figure in proptest::num::f64::ANY) {
+            let compared = resolved(figure);
+            if figure.is_finite() {
+                proptest::prop_assert!((compared - figure).abs() <= 0.51e-4 * figure.abs(), "{figure} {compared}");
+            } else {
+                proptest::prop_assert_eq!(compared.to_bits(), figure.to_bits());
+            }
+        }
+    }
 
     #[test]
     fn analytic_each_caveat_is_said_once() {

@@ -23,12 +23,8 @@ enum Said {
 /// What a run says about an entry. `drop_simulated`: whether the rules of the drop were run, which they are on request only.
 fn said(entry: &Accepted, outcomes: &[Outcome], drop_simulated: bool) -> Said {
     let not_run = !drop_simulated && CATALOGUE.iter().any(|rule| rule.id == entry.rule && rule.needs_prediction());
-    // An entry without a file is of every frame of its name.
-    let mut frames = checked(outcomes).filter(|frame| entry.is_of(frame.listed())).peekable();
-    if not_run || frames.peek().is_none() {
-        return Said::Nothing;
-    }
-    let standings = frames.flat_map(|frame| &frame.findings).filter(|judged| entry.is(&judged.finding)).map(|judged| judged.standing);
+    let Some(frame) = checked(outcomes).find(|frame| entry.is_of(frame.listed())).filter(|_| !not_run) else { return Said::Nothing };
+    let standings = frame.findings.iter().filter(|judged| entry.is(&judged.finding)).map(|judged| judged.standing);
     match standings.max() {
         Some(Standing::Fails | Standing::Accepted) => Said::Fails,
         Some(Standing::Warning) => Said::Nothing,

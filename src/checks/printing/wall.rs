@@ -1,8 +1,9 @@
 //! No wall is thinner than what the nozzle can lay, two lines side by side; no gap is narrower than a line.
 //!
 //! Measured on the mesh of the design, as it lies in print and without what a printer's `hole_undersize_mm` and `elephant_foot_mm` take
-//! off; a warning tells of walls that they make too thin in the file that is printed, floors apart: walls and gaps in its cuts at the middle of layers, as the nozzle follows them
-//! ([`Walls`]). Floors and roofs, which no cut shows, by rays from the middle of facets that lie flatter than 45°; where
+//! off. A warning tells of walls, not floors, that are too thin in the printed file alone.
+//!
+//! Walls and gaps are measured in cuts at the middle of layers, as the nozzle follows them ([`Walls`]). Floors and roofs, which no cut shows, are measured by rays from the middle of facets that lie flatter than 45°; where
 //! the opposite facet faces away from the first it is a floor, and the ray's length its thickness. Facets are taken by
 //! size, [`SAMPLES`] a part: a thin spot smaller than the smallest of these is not seen, nor is the edge of a wedge.
 

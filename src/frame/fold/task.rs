@@ -225,7 +225,7 @@ impl Task {
                 "Start each top rod in the next top corner, so that the four make a ring, and hold it over the upper struts. Bend the corners' free sockets down onto the struts, one after the other. Then go round in small steps: corners slide down the struts, rods into the corners."
             }
             Self::SeatMotor if is_seated_early(frame) => {
-                "Put the motor onto its mount, its wires towards the end with the hub, and turn its screws in from below. The propellers are a step of their own, the last one."
+                "Put the motor onto its mount, its wires to the side that will look to the hub, and turn its screws in from below. The propellers are a step of their own, the last one."
             }
             Self::SeatMotor => {
                 "Put the motor onto its mount, its wires towards the hub, and turn its screws in from below, with a long thin tool: the rod of the leg is beside it. The propellers are a step of their own, the last one."

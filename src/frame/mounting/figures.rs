@@ -25,7 +25,7 @@ pub(super) fn figures(design: &Design) -> Vec<(&'static str, String)> {
     ]
 }
 
-/// Threads with the keys of their socket heads (ISO 4762), mm.
+/// Threads with the keys of their socket heads (ISO 4762; M1.4, which that does not list, as screws of DIN 912 are sold), mm.
 const HEX_KEYS_MM: [[f64; 2]; 6] = [[1.4, 1.3], [1.6, 1.5], [2.0, 1.5], [2.5, 2.0], [3.0, 2.5], [4.0, 3.0]];
 
 /// The sentence about the key of the screws that hold the boards; none for a thread without one.

@@ -80,3 +80,23 @@ impl Slopes {
         if share.is_nan() { 1.0 / fall_s } else { share * share / fall_s }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    proptest! {
+        /// Slope = rate times time + slope at release, both normal: the mean rate at a slope is its covariance with the slope over the slope's variance.
+        #[test]
+        fn analytic_landings_of_one_slope_turn_as_their_mean(rate in 0.0_f64..1.5, release in 0.001_f64..0.25, fall_s in 0.2_f64..0.8) {
+            let of = |rate_rad_s: f64, at_release_rad: f64| Slopes { rate_rad_s, at_release_rad }.turning_1_s(fall_s);
+            let expected = rate * rate * fall_s / (rate * rate * fall_s * fall_s + release * release);
+            prop_assert!((of(rate, release) - expected).abs() < 1e-9 * (1.0 + expected));
+            // What turned alone has turned all the while; what did not turn does not.
+            prop_assert!((of(rate + 0.01, 0.0) * fall_s - 1.0).abs() < 1e-12 && of(0.0, release) == 0.0);
+            prop_assert_eq!(of(0.0, 0.0), 1.0 / fall_s);
+        }
+    }
+}

@@ -45,3 +45,38 @@ pub fn hanging(design: &Design, part: &Printed, process: &Process) -> Arc<Vec<Ha
 pub fn needs_support(design: &Design, part: &Printed, process: &Process) -> bool {
     hanging(design, part, process).iter().any(|place| place.fault(process).is_some())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::solid::Region;
+    use crate::units::Angle;
+
+    /// Less than a ledge across, and nothing under it: it needs support, and what the rule says of it is beyond the ledge, too.
+    #[test]
+    fn analytic_what_rests_on_nothing_reaches_beyond_any_ledge() {
+        let process = Process {
+            line_mm: 0.45,
+            layer_mm: 0.2,
+            overhang: Angle::deg(45.0),
+            ledge_mm: 2.0,
+            bridge_mm: 20.0,
+            support_comes_off: true,
+            brim_mm: 0.0,
+        };
+        let plan = Region::rectangle([[0.0, 0.0], [1.0, 1.0]], 0.0);
+        let place = |reach_mm: f64| Hanging {
+            layers: vec![(1.0, plan.clone())],
+            plan: plan.clone(),
+            area_mm2: 1.0,
+            heights_mm: [1.0, 1.0],
+            island: false,
+            reach_mm,
+            span_mm: 0.0,
+            bridged: false,
+        };
+        assert_eq!((place(f64::INFINITY).fault(&process), place(1.5).fault(&process)), (Some(Fault::Overhang), None));
+        assert!(place(f64::INFINITY).overhang_mm(&process) > process.ledge_mm);
+        assert_eq!(place(1.5).overhang_mm(&process), 1.5);
+    }
+}
