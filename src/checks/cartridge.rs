@@ -15,7 +15,7 @@ use super::measure::Measure;
 use super::rule::{Blame, Found, InSearch, Levers, Pass, Rule};
 use super::scene::{Placed, Scene};
 use crate::figures::told_apart;
-use crate::frame::assembly::Kind;
+use crate::frame::assembly::BodyKind;
 use crate::frame::assembly::press_fit::TOUCH_MM3;
 use crate::frame::skeleton::centre::LEAST_IN_LID_MM;
 use crate::memo::Memo;
@@ -105,7 +105,7 @@ impl CartridgeMeeting {
 }
 
 fn slides(body: &Placed) -> bool {
-    body.is_part(PartName::BatteryLid) || matches!(body.shape.kind, Kind::Bought(name) if CARTRIDGE.contains(&name))
+    body.is_part(PartName::BatteryLid) || matches!(body.shape.kind, BodyKind::Bought(name) if CARTRIDGE.contains(&name))
 }
 
 /// The way out: where it leads, how far the lid is beside the bracket, and how far it goes, mm.
@@ -120,7 +120,7 @@ fn met_mm3(memo: &Memo, piece: &Placed, other: &Placed, way: &WayOut) -> f64 {
     let WayOut { out, free_mm, way_mm } = *way;
     let moved = |by_mm: f64| piece.bounds.shifted(&(out * by_mm));
     let touched = |from: f64, to: f64| moved(from).around(&moved(to)).distance_mm(&other.bounds) <= 0.0;
-    let convex = piece.shape.kind == Kind::Bought("battery") || piece.shape.kind == Kind::Bought("magnet_lid");
+    let convex = piece.shape.kind == BodyKind::Bought("battery") || piece.shape.kind == BodyKind::Bought("magnet_lid");
     let near = if convex { FIRST_MM } else { free_mm };
     let steps = if convex { 1 } else { (free_mm / STEP_MM).ceil() as u32 + 1 };
     let mut places: Vec<f64> = (0..steps).map(|step| (f64::from(step) * STEP_MM).clamp(FIRST_MM, near)).collect();
@@ -145,9 +145,9 @@ fn levers_of(obstacle: &Placed) -> &'static [&'static str] {
     match obstacle.shape.kind {
         // What belongs to a module is beside or under the sleeve's height: no clearance inside of the sleeve moves it.
         _ if obstacle.body.module.is_some() => UNDER_RODS,
-        Kind::Bought("flow_sensor") => SENSOR,
-        Kind::Bought("tie") => MAGNET_TOWER,
-        Kind::Bought("flight_controller" | "motor_controller") => BOARDS,
+        BodyKind::Bought("flow_sensor") => SENSOR,
+        BodyKind::Bought("tie") => MAGNET_TOWER,
+        BodyKind::Bought("flight_controller" | "motor_controller") => BOARDS,
         _ => CLEARANCES,
     }
 }

@@ -10,7 +10,7 @@ use super::finding::Finding;
 use super::measure::{Measure, falls_short_mm};
 use super::rule::{Blame, Found, InSearch, Levers, Limit, Pass, Rule};
 use super::scene::{Placed, Scene};
-use crate::frame::assembly::Kind;
+use crate::frame::assembly::BodyKind;
 use crate::frame::skeleton::{Rod, RodRole};
 use crate::params::PartName;
 
@@ -55,14 +55,14 @@ impl RodClearance {
 
 /// Whether a body holds a rod.
 fn holds(other: &Placed, rod: &Rod) -> bool {
-    let Kind::Printed(part) = other.shape.kind else { return false };
+    let BodyKind::Printed(part) = other.shape.kind else { return false };
     let in_socket = rod.sockets.iter().any(|socket| socket.part == part && other.body.module == Some(socket.module));
     let slides = part == PartName::MotorMount && rod.role == RodRole::Arm && other.body.module == Some(rod.sockets[0].module);
     in_socket || slides
 }
 
 fn is_rod(body: &Placed) -> bool {
-    matches!(body.shape.kind, Kind::Rod(_))
+    matches!(body.shape.kind, BodyKind::Rod(_))
 }
 
 pub(super) fn check(scene: &Scene) -> Vec<Finding> {

@@ -7,7 +7,7 @@ use super::finding::Finding;
 use super::measure::Measure;
 use super::rule::{Blame, Found, InSearch, Levers, Limit, Pass, Rule};
 use super::scene::{Placed, Scene, bounds_of};
-use crate::frame::assembly::Kind;
+use crate::frame::assembly::BodyKind;
 
 const SOLVED_HEIGHT: &[&str] = &["target.height_mm"];
 const HEIGHT: &[&str] = &["rods.strut_rod_length_mm", "rods.arm_rod_length_mm", "rods.cage_rod_length_mm"];
@@ -152,7 +152,7 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
 
 /// The body of the centre that is highest or lowest of all, if one is: the one that reaches further beyond the modules.
 fn beyond<'a>(scene: &'a Scene) -> Option<Beyond<'a>> {
-    let is_module = |placed: &&Placed| placed.body.module.is_some() || matches!(placed.shape.kind, Kind::Rod(_));
+    let is_module = |placed: &&Placed| placed.body.module.is_some() || matches!(placed.shape.kind, BodyKind::Rod(_));
     let modules = bounds_of(scene.placed.iter().filter(|placed| !placed.is_propeller()).filter(is_module))?;
     let centre = scene.placed.iter().filter(|placed| !placed.is_propeller() && !is_module(placed));
     let reaches = centre.flat_map(|placed| {

@@ -9,7 +9,7 @@ use super::finding::Finding;
 use super::measure::Measure;
 use super::rule::{Blame, Found, InSearch, Levers, Pass, Rule};
 use super::scene::{Placed, Scene};
-use crate::frame::assembly::Kind;
+use crate::frame::assembly::BodyKind;
 use crate::frame::assembly::press_fit::{ROUNDING, TOUCH_MM3, gripped_mm3, plugs_mm3};
 use crate::frame::assembly::screw_solids::threads_mm3;
 use crate::params::PartName;
@@ -102,18 +102,20 @@ impl SharedVolume {
 fn meant(scene: &Scene, a: &Placed, b: &Placed) -> (f64, &'static [&'static str]) {
     let frame = &scene.design.frame;
     for (rod, part) in [(a, b), (b, a)] {
-        let (Kind::Rod(_), Kind::Printed(name)) = (&rod.shape.kind, &part.shape.kind) else { continue };
+        let (BodyKind::Rod(_), BodyKind::Printed(name)) = (&rod.shape.kind, &part.shape.kind) else { continue };
         let rods = scene.design.skeleton.rods.iter().filter(|r| r.name == rod.body.name);
         let ring: f64 = rods.map(|r| gripped_mm3(r, frame.rods.rod_diameter_mm, *name, part.body.module)).sum();
         return (ring * ROUNDING, ROD_FIT);
     }
     let is = |name| a.is_part(name) || b.is_part(name);
-    let has = |name: &str| [a, b].iter().any(|p| matches!(p.shape.kind, Kind::Bought(bought) if bought == name));
+    let has = |name: &str| [a, b].iter().any(|p| matches!(p.shape.kind, BodyKind::Bought(bought) if bought == name));
     let is_lower = has("motor_controller") || !frame.bought.contains_key("flight_controller");
     let (stack, bay) = if is_lower { (LOWER_STACK, LOWER_BAY) } else { (STACK, BAY) };
     let [in_motor, in_hub] = threads_mm3(frame, &scene.design.centre).map(|thread| thread * ROUNDING);
     match () {
-        () if has("motor_screw") => (if a.shape.kind == Kind::Motor || b.shape.kind == Kind::Motor { in_motor } else { 0.0 }, MOTOR_SCREWS),
+        () if has("motor_screw") => {
+            (if a.shape.kind == BodyKind::Motor || b.shape.kind == BodyKind::Motor { in_motor } else { 0.0 }, MOTOR_SCREWS)
+        }
         () if has("stack_screw") && is(PartName::Hub) => (in_hub, stack),
         () if HUNG.into_iter().any(has) && is(PartName::BatteryBracket) => (0.0, bay),
         () if STACK_BODIES.into_iter().any(has) => (0.0, stack),
@@ -134,7 +136,7 @@ fn meant(scene: &Scene, a: &Placed, b: &Placed) -> (f64, &'static [&'static str]
 pub(super) fn levers_of(scene: &Scene, names: &[String; 2]) -> Option<&'static [&'static str]> {
     let [a, b] = names.each_ref().map(|name| scene.placed.iter().find(|placed| placed.body.name == *name));
     let (a, b) = (a?, b?);
-    let is_rod = [a, b].iter().any(|placed| matches!(placed.shape.kind, Kind::Rod(_)));
+    let is_rod = [a, b].iter().any(|placed| matches!(placed.shape.kind, BodyKind::Rod(_)));
     let (_, levers) = meant(scene, a, b);
     (!is_rod && levers != OTHER).then_some(levers)
 }

@@ -11,7 +11,7 @@ use super::finding::Finding;
 use super::measure::{Measure, falls_short_mm};
 use super::rule::{Blame, Found, InSearch, Levers, Limit, Pass, Rule, Sort};
 use super::scene::{Placed, Scene};
-use crate::frame::assembly::Kind;
+use crate::frame::assembly::BodyKind;
 use crate::frame::skeleton::MODULE_NAMES;
 use crate::solid::SEGMENTS_PER_TURN;
 
@@ -79,18 +79,18 @@ impl PropellerClearance {
 
 fn group(other: &Placed) -> &'static str {
     match other.shape.kind {
-        Kind::Printed(_) => "printed part",
-        Kind::Rod(_) => "rod",
-        Kind::Motor => "motor",
-        Kind::Propeller => "propeller",
-        Kind::Bought(_) => "board or battery",
+        BodyKind::Printed(_) => "printed part",
+        BodyKind::Rod(_) => "rod",
+        BodyKind::Motor => "motor",
+        BodyKind::Propeller => "propeller",
+        BodyKind::Bought(_) => "board or battery",
     }
 }
 
 /// What a propeller stands on.
 fn carries(other: &Placed, propeller: &Placed) -> bool {
-    let screws = matches!(other.shape.kind, Kind::Bought(_)) && other.body.module.is_some();
-    let under = other.shape.kind == Kind::Motor || screws || other.is_part(crate::params::PartName::MotorMount);
+    let screws = matches!(other.shape.kind, BodyKind::Bought(_)) && other.body.module.is_some();
+    let under = other.shape.kind == BodyKind::Motor || screws || other.is_part(crate::params::PartName::MotorMount);
     under && other.body.module == propeller.body.module
 }
 

@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use super::bounds::Bounds;
 use crate::frame::assembly::mass::MassTable;
 use crate::frame::assembly::rod_piece::piece_between;
-use crate::frame::assembly::{Body, Design, Kind, Shape};
+use crate::frame::assembly::{Body, BodyKind, Design, Shape};
 use crate::memo::Memo;
 use crate::params::PartName;
 use crate::solid::MeshSolid;
@@ -27,15 +27,15 @@ impl<'a> Placed<'a> {
     }
 
     pub fn is_part(&self, name: PartName) -> bool {
-        self.shape.kind == Kind::Printed(name)
+        self.shape.kind == BodyKind::Printed(name)
     }
 
     pub fn is_propeller(&self) -> bool {
-        self.shape.kind == Kind::Propeller
+        self.shape.kind == BodyKind::Propeller
     }
 
     fn is_rod(&self) -> bool {
-        matches!(self.shape.kind, Kind::Rod(_))
+        matches!(self.shape.kind, BodyKind::Rod(_))
     }
 
     /// Shortest distance to another body, mm, at most the reach.
@@ -61,8 +61,8 @@ impl<'a> Placed<'a> {
     /// Whose axes two bodies are compared in: the smaller's.
     fn rank(&self) -> u8 {
         match (&self.shape.kind, self.body.module) {
-            (Kind::Rod(_), _) => 0,
-            (Kind::Printed(_), Some(_)) => 1,
+            (BodyKind::Rod(_), _) => 0,
+            (BodyKind::Printed(_), Some(_)) => 1,
             _ => 2,
         }
     }
@@ -149,7 +149,7 @@ impl<'a> Scene<'a> {
 
     /// Something bought in the centre.
     pub fn bought(&self, name: &str) -> Option<&Placed<'a>> {
-        self.placed.iter().find(|p| matches!(p.shape.kind, Kind::Bought(bought) if bought == name))
+        self.placed.iter().find(|p| matches!(p.shape.kind, BodyKind::Bought(bought) if bought == name))
     }
 
     /// Pairs of bodies that stand for all pairs: the four modules are one, turned, so of two modules' bodies one may

@@ -49,13 +49,13 @@ pub fn rest_words(rest_mm: f64) -> String {
 }
 
 /// Rods of one role: role, length in mm, count.
-type Kind = (RodRole, f64, u8);
+type RodKind = (RodRole, f64, u8);
 
 /// How many stock lengths, and minus the longest rest in mm: less is better.
 type Cost = (usize, f64);
 
 struct Table<'a> {
-    kinds: &'a [Kind],
+    kinds: &'a [RodKind],
     stock_mm: f64,
     kerf_mm: f64,
     /// The best way on from each state: what it costs, and what the next stock length gives.
@@ -131,7 +131,7 @@ impl Table<'_> {
 ///
 /// # Errors
 /// When a rod is longer than the stock.
-pub fn plan(rods: &[Kind], stock_mm: f64, kerf_mm: f64) -> Result<Vec<Stock>, TooLong> {
+pub fn plan(rods: &[RodKind], stock_mm: f64, kerf_mm: f64) -> Result<Vec<Stock>, TooLong> {
     let least = fewest(rods, stock_mm, kerf_mm)?;
     if least.iter().all(|stock| stock.rest_mm >= KEPT_MM) {
         return Ok(least);
@@ -154,8 +154,8 @@ fn rest_mm(pieces_mm: impl Iterator<Item = f64>, stock_mm: f64, kerf_mm: f64) ->
 }
 
 /// A plan with the fewest stock lengths, and of these the longest piece left over.
-fn fewest(rods: &[Kind], stock_mm: f64, kerf_mm: f64) -> Result<Vec<Stock>, TooLong> {
-    let mut kinds: Vec<Kind> = rods.to_vec();
+fn fewest(rods: &[RodKind], stock_mm: f64, kerf_mm: f64) -> Result<Vec<Stock>, TooLong> {
+    let mut kinds: Vec<RodKind> = rods.to_vec();
     kinds.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
     if let Some((role, length_mm, _)) = kinds.iter().find(|(_, mm, n)| *n > 0 && *mm > stock_mm + SLACK_MM) {
         return Err(TooLong { role: *role, length_mm: *length_mm, stock_mm });
@@ -187,8 +187,8 @@ pub struct Saving {
 const SHORTER: f64 = 0.05;
 
 /// Roles whose rods need one stock length less when they are shorter by at most a twentieth, the smallest change first.
-pub fn savings(rods: &[Kind], stock_mm: f64, kerf_mm: f64) -> Vec<Saving> {
-    let count = |rods: &[Kind], stock_mm: f64| fewest(rods, stock_mm, kerf_mm).map_or(usize::MAX, |stocks| stocks.len());
+pub fn savings(rods: &[RodKind], stock_mm: f64, kerf_mm: f64) -> Vec<Saving> {
+    let count = |rods: &[RodKind], stock_mm: f64| fewest(rods, stock_mm, kerf_mm).map_or(usize::MAX, |stocks| stocks.len());
     let now = count(rods, stock_mm);
     // What is saved by sawing with nothing left over is not worth to be told.
     let with = |at: usize, length_mm: f64| {
@@ -196,7 +196,7 @@ pub fn savings(rods: &[Kind], stock_mm: f64, kerf_mm: f64) -> Vec<Saving> {
         shorter[at].1 = length_mm;
         count(&shorter, stock_mm - KEPT_MM - kerf_mm) < now
     };
-    let saving = |(at, (role, from_mm, number)): (usize, &Kind)| {
+    let saving = |(at, (role, from_mm, number)): (usize, &RodKind)| {
         let (mut saves_mm, mut wastes_mm) = (from_mm * (1.0 - SHORTER), *from_mm);
         if *number == 0 || now == usize::MAX || !with(at, saves_mm) {
             return None;
@@ -231,7 +231,7 @@ fn cut(design: &Design, stock_mm: f64, kerf_mm: f64) -> Result<Vec<Stock>, TooLo
     plan(&kinds(design), stock_mm, kerf_mm)
 }
 
-fn kinds(design: &Design) -> Vec<Kind> {
+fn kinds(design: &Design) -> Vec<RodKind> {
     let count = |role: RodRole| u8::try_from(design.skeleton.rods_of(role).count()).unwrap_or(u8::MAX);
     design.skeleton.roles().into_iter().map(|role| (role, design.skeleton.sawn_mm(role), count(role))).collect()
 }
@@ -245,7 +245,7 @@ mod tests {
     const ROLES: [RodRole; 4] = [RodRole::Cage, RodRole::Arm, RodRole::Leg, RodRole::Strut];
 
     /// First fit decreasing, the usual rule of thumb.
-    fn first_fit(rods: &[Kind], stock_mm: f64, kerf_mm: f64) -> usize {
+    fn first_fit(rods: &[RodKind], stock_mm: f64, kerf_mm: f64) -> usize {
         let mut pieces: Vec<f64> = rods.iter().flat_map(|(_, mm, n)| std::iter::repeat_n(*mm, usize::from(*n))).collect();
         pieces.sort_by(|a, b| b.total_cmp(a));
         let mut left: Vec<f64> = Vec::new();
@@ -293,7 +293,7 @@ mod tests {
 
     #[test]
     fn analytic_something_is_left_of_each_stock_where_that_takes_no_more() {
-        let rests = |rods: &[Kind]| plan(rods, 100.0, 0.0).expect("fits").iter().map(|stock| stock.rest_mm).collect::<Vec<_>>();
+        let rests = |rods: &[RodKind]| plan(rods, 100.0, 0.0).expect("fits").iter().map(|stock| stock.rest_mm).collect::<Vec<_>>();
         // 60 + 40 fill one of 100; 60 and 40 + 40 leave 40 and 20 of two.
         assert_eq!(rests(&[(ROLES[0], 60.0, 1), (ROLES[1], 40.0, 2)]), [40.0, 20.0]);
         // 49.5 + 49.5 leave 1 mm, and the longest rest elsewhere.
@@ -327,7 +327,7 @@ mod tests {
 
         #[test]
         fn analytic_no_plan_needs_fewer(lengths in prop::collection::vec(20.0..120.0_f64, 1..4), counts in prop::collection::vec(0..4u8, 3), kerf in 0.0..3.0_f64) {
-            let rods: Vec<Kind> = lengths.iter().zip(&counts).zip(ROLES).map(|((mm, n), role)| (role, *mm, *n)).collect();
+            let rods: Vec<RodKind> = lengths.iter().zip(&counts).zip(ROLES).map(|((mm, n), role)| (role, *mm, *n)).collect();
             let stocks = plan(&rods, 150.0, kerf).expect("fits");
             let mut pieces: Vec<f64> = rods.iter().flat_map(|(_, mm, n)| std::iter::repeat_n(*mm, usize::from(*n))).collect();
             pieces.sort_by(|a, b| b.total_cmp(a));

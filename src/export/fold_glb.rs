@@ -19,7 +19,7 @@ use super::fold_skin::{Hinge, hinges};
 use super::glb::{GlbError, GlbFile, MM_PER_M, accessor};
 use super::mount_motion::MountMotion;
 use crate::frame::assembly::wires::wires;
-use crate::frame::assembly::{Body, Design, Kind};
+use crate::frame::assembly::{Body, BodyKind, Design};
 use crate::frame::fold::{Done, FoldSequence, Member, Moment, STEP_S, Task, moments};
 use crate::frame::skeleton::ModulePlaces;
 
@@ -61,7 +61,7 @@ pub fn fold(design: &Design, fold: &FoldSequence) -> Result<Vec<u8>, GlbError> {
     }))?;
     let hinged: Vec<(Member, Vec<Hinge>)> = HINGED.iter().map(|m| (*m, hinges(&design.frame, fold.module.bends(*m)))).collect();
     for shape in &design.shapes {
-        let member = HINGED.into_iter().find(|m| matches!(shape.kind, Kind::Printed(name) if Some(name) == m.part()));
+        let member = HINGED.into_iter().find(|m| matches!(shape.kind, BodyKind::Printed(name) if Some(name) == m.part()));
         match member.and_then(|m| hinged.iter().find(|(h, _)| *h == m).zip(m.part().and_then(|name| design.part(name)))) {
             Some(((_, hinges), part)) => file.add_bending(shape, &part.flat.mesh(), hinges),
             None => file.add_shape(shape),

@@ -17,7 +17,7 @@ use crate::figures::to_thousandth;
 use crate::frame::assembly::mass::{LineKind, MassTable};
 use crate::frame::assembly::wire::Wire;
 use crate::frame::assembly::wires::wires;
-use crate::frame::assembly::{Body, Design, Kind, Shape};
+use crate::frame::assembly::{Body, BodyKind, Design, Shape};
 use crate::solid::Mesh;
 
 /// The file could not be put together.
@@ -241,7 +241,7 @@ pub(super) fn accessor(view: Index<View>, count: usize, component: ComponentType
 
 fn material(shape: &Shape) -> Material {
     let flexible = shape.kind.is_flexible();
-    let metal = matches!(shape.kind, Kind::Motor) || shape.name.starts_with("magnet") || shape.name.ends_with("_screw");
+    let metal = matches!(shape.kind, BodyKind::Motor) || shape.name.starts_with("magnet") || shape.name.ends_with("_screw");
     Material {
         name: Some(format!("{} ({})", shape.name, shape.material)),
         alpha_mode: Checked::Valid(if shape.colour[3] < 1.0 { AlphaMode::Blend } else { AlphaMode::Opaque }),
@@ -261,9 +261,9 @@ fn body_facts(design: &Design, body: &Body, masses: &MassTable) -> serde_json::V
     let count = bodies_of(design, body.shape);
     let of = |kind: LineKind| masses.line(kind, &shape.name);
     let (kind, quantity, mass) = match shape.kind {
-        Kind::Printed(_) => ("printed", count, of(LineKind::Printed)),
-        Kind::Rod(_) => ("rod", count, of(LineKind::Rod)),
-        Kind::Motor | Kind::Propeller | Kind::Bought(_) => {
+        BodyKind::Printed(_) => ("printed", count, of(LineKind::Printed)),
+        BodyKind::Rod(_) => ("rod", count, of(LineKind::Rod)),
+        BodyKind::Motor | BodyKind::Propeller | BodyKind::Bought(_) => {
             let line = masses.bought(&shape.kind.bill_line());
             // Some shapes are several pieces, as the screws of a motor are.
             ("bought", line.map_or(count, |line| line.quantity as usize), line)

@@ -3,11 +3,11 @@
 use super::catalogue::HOLE_PLAY_MM;
 use super::frame::Frame;
 use super::refusal::Reason;
-use super::relation::Broken;
+use super::relation::BrokenRelation;
 use super::roles::{HUNG, NEEDED};
 
 /// Checks every relation of what is bought.
-pub(super) fn hold(frame: &Frame) -> Result<(), Broken> {
+pub(super) fn hold(frame: &Frame) -> Result<(), BrokenRelation> {
     motor_holes(frame)?;
     carried_camera(frame)?;
     accessories(frame)?;
@@ -50,17 +50,17 @@ fn role(key: &str) -> &str {
 }
 
 /// What has to be held or connected has what does it, or an extra that stands for that.
-fn fastened(frame: &Frame) -> Result<(), Broken> {
+fn fastened(frame: &Frame) -> Result<(), BrokenRelation> {
     let is_there = |served: &&str| frame.bought.contains_key(*served);
     let missing = |(key, _, served): &&(&'static str, &str, &[&str])| !has(frame, key) && served.iter().any(is_there);
     let Some((key, does, _)) = SERVED.iter().find(missing) else { return Ok(()) };
     let message = format!("`{key}` = \"none\" leaves nothing that {does}");
     let remedy = format!("name one; what {does} instead is an entry of [extras] with covers = [\"{}\"]", role(key));
-    Err(Broken { key, reason: Box::new(Reason::Impossible { message, remedy }) })
+    Err(BrokenRelation { key, reason: Box::new(Reason::Impossible { message, remedy }) })
 }
 
 /// A frame flies by a flight controller: a board of its own, or one that drives the motors, too.
-fn flown(frame: &Frame) -> Result<(), Broken> {
+fn flown(frame: &Frame) -> Result<(), BrokenRelation> {
     let key = "bought.flight_controller";
     if has(frame, key) || frame.is_all_in_one() {
         return Ok(());
@@ -75,12 +75,12 @@ fn flown(frame: &Frame) -> Result<(), Broken> {
         "name one, or as motor_controller a board that is both, such as \"aio-20x20\";{both} one that is elsewhere on the frame is an entry of \
          [extras] with covers = [\"flight_controller\"]"
     );
-    Err(Broken { key, reason: Box::new(Reason::Impossible { message, remedy }) })
+    Err(BrokenRelation { key, reason: Box::new(Reason::Impossible { message, remedy }) })
 }
 
 /// A flight controller alone drives no motor: a board that is both controllers has the role of the motor controller, and controllers on the
 /// arms are an extra.
-fn driven_motors(frame: &Frame) -> Result<(), Broken> {
+fn driven_motors(frame: &Frame) -> Result<(), BrokenRelation> {
     let key = "bought.motor_controller";
     if has(frame, key) {
         return Ok(());
@@ -93,11 +93,11 @@ fn driven_motors(frame: &Frame) -> Result<(), Broken> {
     let message = format!("`{key}` = \"none\" leaves nothing that drives the motors{beside}");
     let remedy =
         format!("name a motor_controller;{both} controllers on the arms are an entry of [extras] with covers = [\"motor_controller\"]");
-    Err(Broken { key, reason: Box::new(Reason::Impossible { message, remedy }) })
+    Err(BrokenRelation { key, reason: Box::new(Reason::Impossible { message, remedy }) })
 }
 
 /// The camera stands on the computer's board.
-fn carried_camera(frame: &Frame) -> Result<(), Broken> {
+fn carried_camera(frame: &Frame) -> Result<(), BrokenRelation> {
     let has = |role: &str| frame.bought.contains_key(role);
     if has("computer") || !has("camera") {
         return Ok(());
@@ -105,11 +105,11 @@ fn carried_camera(frame: &Frame) -> Result<(), Broken> {
     let message =
         "`bought.computer` = \"none\" leaves nothing for the camera to stand on: its connectors are glued onto the computer's board".into();
     let remedy = "write camera = \"none\" in [bought], too, or name a computer".into();
-    Err(Broken { key: "bought.computer", reason: Box::new(Reason::Impossible { message, remedy }) })
+    Err(BrokenRelation { key: "bought.computer", reason: Box::new(Reason::Impossible { message, remedy }) })
 }
 
 /// The accessory plate lies where the computer's carrier does.
-fn accessories(frame: &Frame) -> Result<(), Broken> {
+fn accessories(frame: &Frame) -> Result<(), BrokenRelation> {
     let Some(key) = ACCESSORY_KEYS.into_iter().find(|key| key.strip_prefix("bought.").is_some_and(|role| frame.bought.contains_key(role)))
     else {
         return Ok(());
@@ -119,14 +119,14 @@ fn accessories(frame: &Frame) -> Result<(), Broken> {
     }
     let message = format!("`{key}` lies on the accessory plate, which has its place where the computer's carrier is");
     let remedy = "write computer = \"none\" and camera = \"none\" in [bought], or count the part as a mass in [extras]".into();
-    Err(Broken { key, reason: Box::new(Reason::Impossible { message, remedy }) })
+    Err(BrokenRelation { key, reason: Box::new(Reason::Impossible { message, remedy }) })
 }
 
 /// Keys of what the accessory plate carries.
 const ACCESSORY_KEYS: [&str; 4] = ["bought.receiver", "bought.buzzer", "bought.gps", "bought.fpv_camera"];
 
 /// The boards under the hub hang on four screws: their holes are one square.
-fn stack(frame: &Frame) -> Result<(), Broken> {
+fn stack(frame: &Frame) -> Result<(), BrokenRelation> {
     let boards = ["bought.flight_controller", "bought.motor_controller"].into_iter().zip(HUNG);
     let patterns = boards.filter_map(|(key, role)| Some((key, frame.bought.get(role)?)));
     for (key, item) in patterns {
@@ -138,13 +138,13 @@ fn stack(frame: &Frame) -> Result<(), Broken> {
         let name = &item.name;
         let message = format!("the holes of `{name}` are {along} x {across} mm apart, those of the hub's stack {pattern} x {pattern} mm");
         let remedy = "choose boards of one square pattern for flight_controller and motor_controller, or \"none\" for one of them; without stack_pattern_mm the hub follows the first".into();
-        return Err(Broken { key, reason: Box::new(Reason::Impossible { message, remedy }) });
+        return Err(BrokenRelation { key, reason: Box::new(Reason::Impossible { message, remedy }) });
     }
     Ok(())
 }
 
 /// The motor mount has three screw holes, or four.
-fn motor_holes(frame: &Frame) -> Result<(), Broken> {
+fn motor_holes(frame: &Frame) -> Result<(), BrokenRelation> {
     let Some(motor) = frame.bought.get("motor") else { return Ok(()) };
     let count = motor.part.motor_holes();
     if (3..=4).contains(&count) {
@@ -152,5 +152,5 @@ fn motor_holes(frame: &Frame) -> Result<(), Broken> {
     }
     let message = format!("the motor `{}` has {count} screw holes, a motor mount has 3 or 4", motor.name);
     let remedy = "choose a motor with three or four holes; params/bought.toml shows them".into();
-    Err(Broken { key: "bought.motor", reason: Box::new(Reason::Impossible { message, remedy }) })
+    Err(BrokenRelation { key: "bought.motor", reason: Box::new(Reason::Impossible { message, remedy }) })
 }

@@ -39,4 +39,4 @@ pub use frame_file::FrameFile;
 pub use impact_file::ImpactFile;
 pub use load_error::{LoadError, is_of_machine};
 pub use part_name::PartName;
-pub use relation::{Broken, lengths_hold};
+pub use relation::{BrokenRelation, lengths_hold};

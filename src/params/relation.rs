@@ -7,7 +7,7 @@ use crate::figures::told_apart;
 /// A relation that does not hold.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("{reason}")]
-pub struct Broken {
+pub struct BrokenRelation {
     /// The parameter to change.
     pub key: &'static str,
     /// What is wrong.
@@ -225,7 +225,7 @@ fn tie_front_mm(frame: &Frame) -> f64 {
 }
 
 /// Checks every relation, but those of rod lengths that follow from a target size: their lengths are not known yet.
-pub(super) fn hold(frame: &Frame) -> Result<(), Broken> {
+pub(super) fn hold(frame: &Frame) -> Result<(), BrokenRelation> {
     if frame.target.is_none() {
         lengths_hold(frame)?;
     }
@@ -237,12 +237,12 @@ pub(super) fn hold(frame: &Frame) -> Result<(), Broken> {
 ///
 /// # Errors
 /// The first that does not hold.
-pub fn lengths_hold(frame: &Frame) -> Result<(), Broken> {
+pub fn lengths_hold(frame: &Frame) -> Result<(), BrokenRelation> {
     OF_LENGTHS.iter().try_for_each(|relation| relation.holds(frame))
 }
 
 impl Relation {
-    fn holds(&self, frame: &Frame) -> Result<(), Broken> {
+    fn holds(&self, frame: &Frame) -> Result<(), BrokenRelation> {
         if !(self.of)(frame) {
             return Ok(());
         }
@@ -252,21 +252,21 @@ impl Relation {
     }
 }
 
-fn at_least(value: f64, least: f64, key: &'static str, what: &str, remedy: &str) -> Result<(), Broken> {
+fn at_least(value: f64, least: f64, key: &'static str, what: &str, remedy: &str) -> Result<(), BrokenRelation> {
     // Differences of decimals are not exact: 0.5 (4.6 - 3.8) is a little less than 0.4.
     if value >= least - 1e-9 {
         return Ok(());
     }
     let [value, least] = told_apart(value, least, 2);
     let message = format!("{what} would be {value} mm, it must be at least {least} mm");
-    Err(Broken { key, reason: Box::new(Reason::Impossible { message, remedy: remedy.into() }) })
+    Err(BrokenRelation { key, reason: Box::new(Reason::Impossible { message, remedy: remedy.into() }) })
 }
 
 /// Least mean density of a battery, g/cm³: lithium cells have 1.4 to 3.
 const BATTERY_G_CM3: f64 = 0.05;
 
 /// A battery without mass is one that is weighed with something else; a lighter one than cells is stated in another unit.
-fn battery_mass(frame: &Frame) -> Result<(), Broken> {
+fn battery_mass(frame: &Frame) -> Result<(), BrokenRelation> {
     let battery = &frame.battery;
     let cm3 = 1e-3 * battery.battery_length_mm * battery.battery_width_mm * battery.battery_height_mm;
     let g_cm3 = battery.battery_mass_g / cm3;
@@ -278,7 +278,7 @@ fn battery_mass(frame: &Frame) -> Result<(), Broken> {
         battery.battery_mass_g
     );
     let remedy = "state its mass in grams, 0 if it is weighed with something else".into();
-    Err(Broken { key: "battery.battery_mass_g", reason: Box::new(Reason::Impossible { message, remedy }) })
+    Err(BrokenRelation { key: "battery.battery_mass_g", reason: Box::new(Reason::Impossible { message, remedy }) })
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use flexframe::export::{fold_glb, glb, stl};
 use flexframe::frame::assembly::{Design, mass};
-use flexframe::frame::fold::{Broken, FlatError, FlatState, FoldError, FoldSequence, Member, STEP_S, TABLE_MM, Task, sweeps};
+use flexframe::frame::fold::{BrokenConstraint, FlatError, FlatState, FoldError, FoldSequence, Member, STEP_S, TABLE_MM, Task, sweeps};
 use flexframe::frame::mounting::{Mounting, PartLine};
 use flexframe::frame::skeleton::Skeleton;
 use flexframe::params::{Frame, PartName};
@@ -87,7 +87,8 @@ fn planted_swapped_and_missing_steps_break_a_named_constraint() {
         order.insert(at, task);
         rules.check(&order).into_iter().map(|(_, broken)| broken).collect::<Vec<_>>()
     };
-    let says = |found: &[Broken], words: &str| assert!(found.iter().any(|b| b.to_string().contains(words)), "{words}: {found:#?}");
+    let says =
+        |found: &[BrokenConstraint], words: &str| assert!(found.iter().any(|b| b.to_string().contains(words)), "{words}: {found:#?}");
     says(&moved(Task::SlideMount, None), "close both its ends");
     says(&moved(Task::ThreadKnee, None), "close both its ends");
     says(&moved(Task::PushTopCage, None), "both its ends are closed");
@@ -101,7 +102,7 @@ fn planted_swapped_and_missing_steps_break_a_named_constraint() {
     says(&moved(Task::PushFoot, None), "already held");
     for task in Task::ALL {
         let found = rules.check(&without(task));
-        assert!(found.contains(&(task, Broken::Times { task, times: 0 })), "{task:?}: {found:?}");
+        assert!(found.contains(&(task, BrokenConstraint::Times { task, times: 0 })), "{task:?}: {found:?}");
     }
 }
 

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 use flexframe::checks::{self, Verdict};
-use flexframe::frame::assembly::{Design, Kind, mass};
+use flexframe::frame::assembly::{BodyKind, Design, mass};
 use flexframe::frame::fold::{FoldSequence, Task, sweeps};
 use flexframe::frame::skeleton::{RodRole, Skeleton};
 use flexframe::mechanics::model::frame_model::{Extent, FrameModel};
@@ -128,7 +128,7 @@ fn planted_a_side_rod_that_is_too_long_is_found() {
     let mut design = designed(&format!("rods.cage_side_ratio = {RATIO}"));
     let body = design.bodies.iter().position(|body| body.name == "cage_FL_top").expect("a rod");
     let mut shape = design.shape(&design.bodies[body]).clone();
-    assert_eq!(shape.kind, Kind::Rod(RodRole::CageSide));
+    assert_eq!(shape.kind, BodyKind::Rod(RodRole::CageSide));
     let feature = Feature::cylinder(0.5 * design.frame.rods.rod_diameter_mm, design.skeleton.length_mm(RodRole::CageSide) + 5.0);
     let solid = MeshSolid::build(&feature);
     shape.mesh = std::sync::Arc::new(solid.mesh());

@@ -1,7 +1,7 @@
 //! Frames for simulators: masses, thrusts, feet and contact shapes against the design, on the presets; `random_frames` asks the same of its own.
 
 use flexframe::export::simulator::{ConvexShape, LegSpring, Motor, RigidBody, SimulatorFormat, SimulatorModel, files, model};
-use flexframe::frame::assembly::{Design, Kind, mass};
+use flexframe::frame::assembly::{BodyKind, Design, mass};
 use flexframe::params::{Frame, PartName, preset};
 use nalgebra::{Matrix3, Point3, Vector3};
 use quick_xml::events::Event;
@@ -102,7 +102,8 @@ fn shape_faults(design: &Design, model: &SimulatorModel) -> Vec<String> {
         let outside_m =
             |point: Vector3<f64>| half_spaces.iter().map(|(normal, at)| normal.dot(&point) - at).fold(f64::NEG_INFINITY, f64::max);
         let lowest_m = shape.vertices_m.iter().map(|v| v[2]).fold(f64::INFINITY, f64::min);
-        for body in design.bodies.iter().filter(|body| matches!(design.shape(body).kind, Kind::Printed(part) if parts.contains(&part))) {
+        for body in design.bodies.iter().filter(|body| matches!(design.shape(body).kind, BodyKind::Printed(part) if parts.contains(&part)))
+        {
             let corners = design.shape(body).mesh.vertices.iter().map(|v| turned_m(body.pose * Point3::from(v.map(f64::from))));
             // The cage ends above the ground: what is lower is a foot's.
             let beyond = corners.map(|corner| outside_m(Vector3::new(corner.x, corner.y, corner.z.max(lowest_m))));

@@ -3,7 +3,7 @@
 use super::comparison::{measure, name, part};
 use crate::checks::finding::{Finding, Verdict};
 use crate::checks::scene::{Placed, Scene, bounds_of};
-use crate::frame::assembly::Kind;
+use crate::frame::assembly::BodyKind;
 use crate::params::{Frame, PartName};
 
 pub(super) const MAST: &[&str] = &["accessories.mast_height_mm"];
@@ -48,7 +48,7 @@ pub(super) fn mast(frame: &Frame) -> Option<Finding> {
 
 /// Propellers, or motors, above these corners: upside down the frame would stand on what breaks first.
 pub(super) fn propellers(scene: &Scene) -> Option<Finding> {
-    let turns = |placed: &&Placed| matches!(placed.shape.kind, Kind::Motor | Kind::Propeller);
+    let turns = |placed: &&Placed| matches!(placed.shape.kind, BodyKind::Motor | BodyKind::Propeller);
     let highest_mm = bounds_of(scene.placed.iter().filter(turns))?.high[2];
     let above = measure(highest_mm - ring_mm(scene)?, 0.0, "mm", RISER);
     let [above_mm, _] = above.figures(1);
@@ -107,8 +107,9 @@ mod tests {
     fn planted_propellers_above_the_top_ring() {
         let of = |raised_mm: f64| {
             let mut frame = Planted::preset("cognifly");
-            let raised: Vec<usize> =
-                (0..frame.design.bodies.len()).filter(|at| frame.design.shape(&frame.design.bodies[*at]).kind == Kind::Propeller).collect();
+            let raised: Vec<usize> = (0..frame.design.bodies.len())
+                .filter(|at| frame.design.shape(&frame.design.bodies[*at]).kind == BodyKind::Propeller)
+                .collect();
             for at in raised {
                 frame.design.bodies[at].pose.translation.z += raised_mm;
             }

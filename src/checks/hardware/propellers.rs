@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_1_SQRT_2;
 use super::comparison::{measure, part};
 use crate::checks::finding::Finding;
 use crate::checks::scene::{Placed, Scene, bounds_of};
-use crate::frame::assembly::Kind;
+use crate::frame::assembly::BodyKind;
 use crate::params::Frame;
 
 pub(super) const SEAT: &[&str] = &["motor_mount.propeller_height_mm"];
@@ -29,7 +29,7 @@ pub(super) fn seat(frame: &Frame) -> Vec<Finding> {
 
 /// No propeller reaches out of the ring that keeps it off walls.
 pub(super) fn cage(scene: &Scene) -> Option<Finding> {
-    let ring = |p: &&Placed| matches!(p.shape.kind, Kind::Rod(role) if role.is_cage());
+    let ring = |p: &&Placed| matches!(p.shape.kind, BodyKind::Rod(role) if role.is_cage());
     let cage = bounds_of(scene.placed.iter().filter(ring))?;
     let mount = &scene.design.frame.motor_mount;
     let wide = measure(

@@ -4,7 +4,7 @@ use nalgebra::Point3;
 use serde::Serialize;
 
 use super::axes::point_m;
-use crate::frame::assembly::{Body, Design, Kind};
+use crate::frame::assembly::{Body, BodyKind, Design};
 use crate::params::PartName;
 use crate::solid::MeshSolid;
 
@@ -26,8 +26,8 @@ pub struct ConvexShape {
 /// Which shape a body belongs to; none for what is inside of the cage: arms, motors, propellers.
 fn shape_of(design: &Design, body: &Body) -> Option<&'static str> {
     match design.shape(body).kind {
-        Kind::Printed(PartName::TopCorner | PartName::BottomCorner | PartName::Knee) => Some("cage"),
-        Kind::Printed(PartName::BatterySleeve | PartName::BatteryLid) | Kind::Bought("battery" | "flow_sensor") => Some("sleeve"),
+        BodyKind::Printed(PartName::TopCorner | PartName::BottomCorner | PartName::Knee) => Some("cage"),
+        BodyKind::Printed(PartName::BatterySleeve | PartName::BatteryLid) | BodyKind::Bought("battery" | "flow_sensor") => Some("sleeve"),
         _ if body.module.is_none() => Some("hub"),
         _ => None,
     }

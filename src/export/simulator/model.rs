@@ -8,7 +8,7 @@ use super::convex_shape::{ConvexShape, shapes};
 use super::figures::rounded;
 use super::propeller::torque_over_thrust_m;
 use crate::frame::assembly::mass::{Lump, MassTable, lump_of};
-use crate::frame::assembly::{Body, Design, Kind};
+use crate::frame::assembly::{Body, BodyKind, Design};
 use crate::frame::skeleton::{MODULE_NAMES, ROTORS, Rod, Spin, Stack};
 use crate::units::GRAVITY_M_S2;
 
@@ -155,7 +155,7 @@ pub struct SimulatorModel {
 impl SimulatorModel {
     /// The model of a design.
     pub(super) fn new(design: &Design, masses: &MassTable, legs: LegSpring) -> Self {
-        let is_propeller = |body: &Body| design.shape(body).kind == Kind::Propeller;
+        let is_propeller = |body: &Body| design.shape(body).kind == BodyKind::Propeller;
         let weighed = |carries: &dyn Fn(Option<&Body>) -> bool| lump_of(design, &masses.lines, carries);
         let whole = RigidBody::of("whole", &weighed(&|_| true));
         let mut motors: Vec<Motor> = (0..4).filter_map(|module| motor(design, masses, module)).collect();
@@ -186,7 +186,7 @@ fn motor(design: &Design, masses: &MassTable, module: usize) -> Option<Motor> {
     let name = format!("motor_{}", MODULE_NAMES[module]);
     let named = |role: &str| frame.bought.get(role).map(|item| item.name.clone());
     let diameter_m = rounded(frame.motor_mount.propeller_diameter_mm * 1e-3);
-    let turns = |body: Option<&Body>| body.is_some_and(|b| b.module == Some(module) && design.shape(b).kind == Kind::Propeller);
+    let turns = |body: Option<&Body>| body.is_some_and(|b| b.module == Some(module) && design.shape(b).kind == BodyKind::Propeller);
     let propeller = lump_of(design, &masses.lines, &turns);
     Some(Motor {
         number: ROTORS[module].number,

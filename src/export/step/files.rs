@@ -8,7 +8,7 @@ use super::shape;
 use super::shaped::Shaped;
 use super::writer::Writer;
 use crate::export::format::{ExportError, Exported, File, Format, Made};
-use crate::frame::assembly::{Design, Kind, Printed, Shape};
+use crate::frame::assembly::{BodyKind, Design, Printed, Shape};
 use crate::solid::{Boundary, Feature, Mesh, NotExact};
 
 /// Linear red, green, blue, alpha of a solid without a colour.
@@ -95,7 +95,7 @@ fn printed(design: &Design, part: &Printed) -> Result<Shaped, StepError> {
 fn assembled(design: &Design, shape: &Shape, parts: &[Shaped]) -> Result<Shaped, StepError> {
     let (name, material) = (shape.name.clone(), shape.material.clone());
     let (colour, mesh_volume_mm3) = (shape.colour, shape.mesh.volume_mm3());
-    let rigid = |(part, _): &(&Printed, &Shaped)| shape.kind == Kind::Printed(part.name) && part.bends.is_empty();
+    let rigid = |(part, _): &(&Printed, &Shaped)| shape.kind == BodyKind::Printed(part.name) && part.bends.is_empty();
     if let Some((part, shaped)) = design.printed.iter().zip(parts).find(rigid) {
         let boundary = shaped.boundary.placed(&part.print_pose.inverse());
         return Ok(Shaped { name, material, colour, boundary, made: shaped.made, because: shaped.because.clone(), mesh_volume_mm3 });

@@ -13,7 +13,7 @@ use crate::solid::{Feature, Mesh, MeshSolid};
 
 /// What a body is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Kind {
+pub enum BodyKind {
     /// A printed part.
     Printed(PartName),
     /// A rod.
@@ -26,7 +26,7 @@ pub enum Kind {
     Bought(&'static str),
 }
 
-impl Kind {
+impl BodyKind {
     /// Whether it is a part printed of the flexible material.
     pub fn is_flexible(self) -> bool {
         matches!(self, Self::Printed(name) if record(name).is_flexible())
@@ -58,7 +58,7 @@ pub struct Shape {
     /// Name: the part's, the rod's role …
     pub name: String,
     /// What it is.
-    pub kind: Kind,
+    pub kind: BodyKind,
     /// Material or catalogue name, for tables.
     pub material: String,
     /// Linear red, green, blue, alpha.

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
-use super::body::{Body, Kind, Shape};
+use super::body::{Body, BodyKind, Shape};
 use super::not_printed::{NotPrinted, Plain};
 use super::printed::{Printed, Recipe};
 use crate::frame::parts::{MaterialClass, PrintedPart, catalogue, record};
@@ -14,7 +14,7 @@ use crate::frame::skeleton::Centre;
 use crate::frame::skeleton::{BELOW_MM, ClosureError, Envelope, MODULE_NAMES, Skeleton, lengths_for};
 use crate::memo::{Memo, Progress, Step};
 use crate::params::frame::{NamedMaterial, TargetSize};
-use crate::params::{Broken, Frame, PartName, lengths_hold};
+use crate::params::{BrokenRelation, Frame, PartName, lengths_hold};
 use crate::solid::MeshSolid;
 use crate::solid::gate::GateError;
 use crate::units::Angle;
@@ -35,7 +35,7 @@ pub enum DesignError {
     },
     /// Lengths that give the wanted size leave no room for something.
     #[error(transparent)]
-    Relation(#[from] Broken),
+    Relation(#[from] BrokenRelation),
     /// The wanted size needs a rod that no rod can be.
     #[error("the target size needs {key} = {value:.2} mm, outside {min} to {max} mm")]
     Target {
@@ -128,7 +128,7 @@ impl Design {
 
     /// Width of all that the four modules are made of, without what the propellers sweep, mm.
     fn modules_width_mm(&self) -> f64 {
-        let bodies = self.bodies.iter().filter(|body| body.module.is_some() && self.shape(body).kind != Kind::Propeller);
+        let bodies = self.bodies.iter().filter(|body| body.module.is_some() && self.shape(body).kind != BodyKind::Propeller);
         let sides = bodies.map(|body| self.shape(body).solid.bounds_in_mm(&body.pose)).map(|[low, high]| [low[0], high[0]]);
         let [low, high] = sides.fold([0.0_f64; 2], |all, side| [all[0].min(side[0]), all[1].max(side[1])]);
         high - low
@@ -141,7 +141,7 @@ impl Design {
 
     /// Height of the ground under the standing frame: the lowest point of the lower corners in frame axes, mm; none without any.
     pub fn ground_mm(&self) -> Option<f64> {
-        let corners = self.bodies.iter().filter(|body| self.shape(body).kind == Kind::Printed(PartName::BottomCorner));
+        let corners = self.bodies.iter().filter(|body| self.shape(body).kind == BodyKind::Printed(PartName::BottomCorner));
         corners.map(|body| self.shape(body).solid.bounds_in_mm(&body.pose)[0][2]).reduce(f64::min)
     }
 
@@ -163,7 +163,7 @@ impl Design {
             let (material, colour) = (material.name.clone(), material.material.colour);
             let mesh = self.memo.get("mesh", name.slug(), &solid.key(), || solid.mesh());
             let feature = part.bends.is_empty().then(|| part.feature.clone());
-            let kind = Kind::Printed(name);
+            let kind = BodyKind::Printed(name);
             let shape = self.add_shape(Shape { name: name.slug().into(), kind, material, colour, solid, mesh, feature, exact_mm3 });
             for (module, pose) in self.printed[index].part.poses(&self.frame, &self.skeleton.closure, &self.centre) {
                 let name = module.map_or(name.slug().into(), |module| format!("{name}_{}", MODULE_NAMES[module]));

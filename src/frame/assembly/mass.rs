@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use nalgebra::{Matrix3, Point3, Vector3};
 use serde::{Deserialize, Serialize};
 
-use super::body::{Body, Kind, Shape};
+use super::body::{Body, BodyKind, Shape};
 use super::design::Design;
 use crate::params::PartName;
 use crate::params::catalogue::MassBasis;
@@ -166,7 +166,7 @@ fn rod_lines(design: &Design) -> Vec<MassLine> {
     let material = &design.frame.rod_material;
     let covered = covering(design, "rod");
     let weighed = |shape: &Shape| match shape.kind {
-        Kind::Rod(role) => {
+        BodyKind::Rod(role) => {
             let each_g = rod_g(design, shape);
             let quantity = design.skeleton.rods_of(role).count() as u32;
             Some(match covered {
@@ -208,7 +208,7 @@ fn each_g(frame: &Frame, role: &str, item: &BoughtItem) -> f64 {
 pub fn uncovered_g(design: &Design, role: &str) -> f64 {
     if role == "rod" {
         let rods = design.shapes.iter().filter_map(|shape| match shape.kind {
-            Kind::Rod(rod) => Some(rod_g(design, shape) * design.skeleton.rods_of(rod).count() as f64),
+            BodyKind::Rod(rod) => Some(rod_g(design, shape) * design.skeleton.rods_of(rod).count() as f64),
             _ => None,
         });
         return rods.sum();

@@ -21,7 +21,7 @@ pub mod screw_solids;
 pub mod wire;
 pub mod wires;
 
-pub use body::{Body, Kind, Shape};
+pub use body::{Body, BodyKind, Shape};
 pub use centre_body::CentreBody;
 pub use design::{Design, DesignError};
 pub use printed::{Printed, sides};

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use nalgebra::Isometry3;
 use serde::{Deserialize, Serialize};
 
-use super::body::{Kind, Shape};
+use super::body::{BodyKind, Shape};
 use super::centre_body::CentreBody;
 use super::screw_solids::motor_screws;
 use crate::frame::skeleton::{Centre, MODULE_NAMES, RodRole, Skeleton, placement};
@@ -20,7 +20,7 @@ pub(super) type Place = (String, Option<usize>, Isometry3<f64>);
 /// A shape that is not printed, before it is made.
 pub(super) struct NotPrinted {
     name: String,
-    kind: Kind,
+    kind: BodyKind,
     material: String,
     colour: [f32; 4],
     feature: Feature,
@@ -70,7 +70,7 @@ fn rods(frame: &Frame, skeleton: &Skeleton, role: RodRole) -> NotPrinted {
     let places = skeleton.rods_of(role).map(|rod| (rod.name.clone(), Some(rod.sockets[0].module), rod.pose()));
     NotPrinted {
         name: format!("{}_rod", role.slug()),
-        kind: Kind::Rod(role),
+        kind: BodyKind::Rod(role),
         material: frame.rod_material.name.clone(),
         colour: frame.rod_material.material.colour,
         feature: rod_solid(frame, skeleton.length_mm(role)),
@@ -94,7 +94,7 @@ fn motors(frame: &Frame, skeleton: &Skeleton) -> Vec<NotPrinted> {
         let through_mm = propeller.map_or(0.0, |propeller| mount.propeller_height_mm + 0.5 * propeller.part.hub_mm());
         NotPrinted {
             name: "motor".into(),
-            kind: Kind::Motor,
+            kind: BodyKind::Motor,
             material: motor.name.clone(),
             colour: [0.12, 0.12, 0.13, 1.0],
             feature: motor_solid(&motor.part, through_mm),
@@ -105,7 +105,7 @@ fn motors(frame: &Frame, skeleton: &Skeleton) -> Vec<NotPrinted> {
         let height_mm = propeller.part.hub_mm();
         NotPrinted {
             name: "propeller".into(),
-            kind: Kind::Propeller,
+            kind: BodyKind::Propeller,
             material: propeller.name.clone(),
             colour: [0.9, 0.62, 0.05, 0.35],
             feature: Feature::cylinder(0.5 * mount.propeller_diameter_mm, height_mm),
@@ -119,7 +119,7 @@ fn motors(frame: &Frame, skeleton: &Skeleton) -> Vec<NotPrinted> {
         };
         Some(NotPrinted {
             name: "motor_screw".into(),
-            kind: Kind::Bought("motor_screw"),
+            kind: BodyKind::Bought("motor_screw"),
             material: screw.name.clone(),
             colour: STEEL,
             feature: motor_screws(&screw.part, frame)?,
@@ -133,7 +133,7 @@ fn motors(frame: &Frame, skeleton: &Skeleton) -> Vec<NotPrinted> {
 fn bought(frame: &Frame, centre: &Centre, part: CentreBody) -> Option<NotPrinted> {
     Some(NotPrinted {
         name: part.slug().into(),
-        kind: Kind::Bought(part.slug()),
+        kind: BodyKind::Bought(part.slug()),
         feature: part.feature(frame, centre)?,
         material: frame.bought.get(part.role())?.name.clone(),
         colour: colour(part),

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use nalgebra::{Isometry3, UnitQuaternion};
 
-use super::{Design, Kind, Printed, mass};
+use super::{BodyKind, Design, Printed, mass};
 use crate::frame::parts::{Fold, MaterialClass, PrintedPart, Seat, Wall, catalogue};
 use crate::frame::skeleton::{Centre, Skeleton};
 use crate::memo::Memo;
@@ -21,7 +21,7 @@ fn analytic_every_part_is_made_placed_and_weighed_in_every_preset() {
         for part in catalogue().into_iter().filter(|part| (part.needed)(&design.frame)) {
             let made = design.part(part.name).unwrap_or_else(|| panic!("{name} has no {}", part.name));
             assert!(made.volume_mm3 > 0.0 && made.topology.bodies == 1, "{name}: {}", part.name);
-            let bodies = design.bodies.iter().filter(|body| design.shape(body).kind == Kind::Printed(part.name));
+            let bodies = design.bodies.iter().filter(|body| design.shape(body).kind == BodyKind::Printed(part.name));
             assert_eq!(bodies.count(), part.quantity() as usize, "{name}: {}", part.name);
             let line = masses.lines.iter().find(|line| line.name == part.name.slug()).expect("is weighed");
             assert!(line.total_g > 0.0 && line.quantity == part.quantity(), "{name}: {line:?}");

@@ -10,7 +10,7 @@ use serde::Serialize;
 
 use super::member::Member;
 use crate::frame::assembly::press_fit::TOUCH_MM3;
-use crate::frame::assembly::{Design, Kind};
+use crate::frame::assembly::{BodyKind, Design};
 use crate::solid::{Mesh, MeshSolid};
 
 /// The table: a sheet of A3, mm.
@@ -144,8 +144,8 @@ const RESTING_MM: f64 = 0.01;
 fn laid(design: &Design, body: &crate::frame::assembly::Body) -> Option<Lying> {
     let shape = design.shape(body);
     let mesh = match &shape.kind {
-        Kind::Printed(name) => design.part(*name)?.mesh.clone(),
-        Kind::Rod(_) => {
+        BodyKind::Printed(name) => design.part(*name)?.mesh.clone(),
+        BodyKind::Rod(_) => {
             let down = UnitQuaternion::from_axis_angle(&Vector3::y_axis(), std::f64::consts::FRAC_PI_2);
             let laid = shape.solid.placed(&Isometry3::from_parts(Default::default(), down));
             Arc::new(laid.placed(&Isometry3::translation(0.0, 0.0, -laid.bounds_mm()[0][2])).mesh())

@@ -27,7 +27,7 @@ pub use linkage::{FREE_WAY, Linkage, LinkageError, MOST_PULLED, Stance};
 pub use member::{Member, Side};
 pub use piece::mesh_at;
 pub use posture::{Module, Posture, bent_by};
-pub use rules::{Broken, Done, Rules, TOP_BENT};
+pub use rules::{BrokenConstraint, Done, Rules, TOP_BENT};
 pub use sequence::{Dependence, FoldBend, FoldError, FoldSequence, Join, NEXT_MODULE, Step, inputs as fold_inputs};
 pub use sweep::{FITS_A_WAY, Meeting, Sweep, sweeps};
 pub use task::{FoldMotion, HANDS, Task};

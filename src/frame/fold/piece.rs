@@ -10,7 +10,7 @@ use super::task::Task;
 use super::timeline::Moment;
 use crate::frame::assembly::press_fit::{ROUNDING, TOUCH_MM3, gripped_mm3, plugs_mm3};
 use crate::frame::assembly::rod_piece::piece_between;
-use crate::frame::assembly::{Body, Design, Kind, sides as printed_sides};
+use crate::frame::assembly::{Body, BodyKind, Design, sides as printed_sides};
 use crate::solid::{BoxTree, Mesh, MeshSolid};
 
 /// A rigid piece of a body.
@@ -25,7 +25,7 @@ pub(super) struct Piece {
     hinge: Option<usize>,
     /// Where a body of the centre stands.
     place: Isometry3<f64>,
-    kind: Kind,
+    kind: BodyKind,
     /// In the body's axes, flat.
     pub solid: MeshSolid,
 }
@@ -36,7 +36,7 @@ pub(super) fn pieces(design: &Design, module: &Module) -> Vec<Piece> {
     // Modules share their shapes: each is cut once.
     let mut cut: Vec<(usize, Vec<Side>)> = Vec::new();
     let mut found = Vec::new();
-    let carried = |body: &&Body| !matches!(design.shape(body).kind, Kind::Propeller | Kind::Bought("motor_screw"));
+    let carried = |body: &&Body| !matches!(design.shape(body).kind, BodyKind::Propeller | BodyKind::Bought("motor_screw"));
     for body in design.bodies.iter().filter(carried) {
         let member = Member::ALL.into_iter().find(|m| m.body(body.module.unwrap_or(0)) == body.name);
         if !cut.iter().any(|(shape, _)| *shape == body.shape) {
@@ -115,7 +115,7 @@ impl Piece {
 
     /// Whether it is a rod.
     pub fn is_rod(&self) -> bool {
-        matches!(self.kind, Kind::Rod(_))
+        matches!(self.kind, BodyKind::Rod(_))
     }
 
     /// Volume in common with another in a pose relative to this one's axes, mm³. Of a rod only the length beside this counts.
@@ -146,7 +146,7 @@ impl Piece {
     pub fn meant_mm3(&self, other: &Self, design: &Design) -> f64 {
         let frame = &design.frame;
         let ring = |rod: &Self, part: &Self| match &part.kind {
-            Kind::Printed(name) => {
+            BodyKind::Printed(name) => {
                 let rods = design.skeleton.rods.iter().filter(|r| r.name == rod.name);
                 rods.map(|r| gripped_mm3(r, frame.rods.rod_diameter_mm, *name, part.module)).sum()
             }

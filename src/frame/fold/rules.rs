@@ -25,7 +25,7 @@ const BEFORE_MM: f64 = 1.0;
 
 /// Why a task cannot be done.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum Broken {
+pub enum BrokenConstraint {
     /// The task is missing or occurs twice.
     #[error("{} is done {times} times", task.title())]
     Times {
@@ -189,7 +189,7 @@ impl<'a> Rules<'a> {
     }
 
     /// What keeps a task from being done after those that are.
-    pub fn broken(&self, done: &Done, task: Task) -> Option<Broken> {
+    pub fn broken(&self, done: &Done, task: Task) -> Option<BrokenConstraint> {
         match task.motion() {
             FoldMotion::Push | FoldMotion::Slide => self.broken_push(done, task),
             FoldMotion::Bend => self.broken_bend(done, task),
@@ -203,13 +203,13 @@ impl<'a> Rules<'a> {
     }
 
     /// Everything that is wrong with an order of tasks, with the task before which it is.
-    pub fn check(&self, order: &[Task]) -> Vec<(Task, Broken)> {
+    pub fn check(&self, order: &[Task]) -> Vec<(Task, BrokenConstraint)> {
         let mut done = Done::new();
         let mut found = Vec::new();
         for task in Task::ALL {
             let times = order.iter().filter(|t| **t == task).count();
             if times != 1 {
-                found.push((task, Broken::Times { task, times }));
+                found.push((task, BrokenConstraint::Times { task, times }));
             }
         }
         for task in order {
@@ -224,7 +224,7 @@ impl<'a> Rules<'a> {
     ///
     /// # Errors
     /// What keeps the remaining tasks from being undone.
-    pub fn order(&self, candidates: &[Task]) -> Result<Vec<Task>, Vec<(Task, Broken)>> {
+    pub fn order(&self, candidates: &[Task]) -> Result<Vec<Task>, Vec<(Task, BrokenConstraint)>> {
         let mut left: Done = candidates.iter().copied().collect();
         let mut order = Vec::new();
         while !left.is_empty() {
@@ -249,22 +249,22 @@ impl<'a> Rules<'a> {
         done.iter().filter_map(|task| task.lever()).all(|(part, lever)| self.component(part, done).contains(&lever))
     }
 
-    fn broken_push(&self, done: &Done, task: Task) -> Option<Broken> {
+    fn broken_push(&self, done: &Done, task: Task) -> Option<BrokenConstraint> {
         for rail in task.rails() {
             let closed = |end: &(Member, Member)| done.iter().any(|t| t.contacts().contains(end));
             if rail.iter().all(closed) {
                 let (mover, onto) = task.contacts()[0];
                 let other = |end: &(Member, Member)| name(if end.0 == onto { end.1 } else { end.0 });
-                return Some(Broken::EndsClosed { mover: name(mover), rail: name(onto), by: [other(&rail[0]), other(&rail[1])] });
+                return Some(BrokenConstraint::EndsClosed { mover: name(mover), rail: name(onto), by: [other(&rail[0]), other(&rail[1])] });
             }
         }
         for (mover, onto) in task.contacts() {
             let held = self.component(onto, done);
             if held.contains(&mover) {
-                return Some(Broken::LoopShut { mover: name(mover), onto: name(onto) });
+                return Some(BrokenConstraint::LoopShut { mover: name(mover), onto: name(onto) });
             }
             if let Some(part) = self.shut_far_end(mover, onto, &held, done) {
-                return Some(Broken::BetweenBottoms { rod: name(mover), part });
+                return Some(BrokenConstraint::BetweenBottoms { rod: name(mover), part });
             }
         }
         self.swept_push(done, task)
@@ -281,7 +281,7 @@ impl<'a> Rules<'a> {
         far.filter(|(_, part)| held.contains(part)).map(|(_, part)| name(*part))
     }
 
-    fn swept_push(&self, done: &Done, task: Task) -> Option<Broken> {
+    fn swept_push(&self, done: &Done, task: Task) -> Option<BrokenConstraint> {
         let posture = self.posture(done, None);
         for (mover, onto) in task.contacts() {
             let (moving, still) = (self.component(mover, done), self.component(onto, done));
@@ -302,32 +302,32 @@ impl<'a> Rules<'a> {
         task.comes_along(mover, |up| self.module.place(Member::Strut(up)) * Vector3::z())
     }
 
-    fn broken_bend(&self, done: &Done, task: Task) -> Option<Broken> {
+    fn broken_bend(&self, done: &Done, task: Task) -> Option<BrokenConstraint> {
         let (part, lever) = task.lever()?;
         if !self.component(part, done).contains(&lever) {
-            return Some(Broken::NoLever { part: name(part), lever: name(lever) });
+            return Some(BrokenConstraint::NoLever { part: name(part), lever: name(lever) });
         }
         if done.contains(&Task::CloseTriangle) {
-            return Some(Broken::Rigid { part: name(part) });
+            return Some(BrokenConstraint::Rigid { part: name(part) });
         }
         self.swept_bend(done, task, &self.component(part, done))
     }
 
-    fn broken_triangle(&self, done: &Done) -> Option<Broken> {
+    fn broken_triangle(&self, done: &Done) -> Option<BrokenConstraint> {
         let (foot, leg) = (Member::Corner(false), Member::Leg);
         let reached = self.component(leg, done);
         if !reached.contains(&foot) {
             let chain = [Member::HubJoint, Member::Arm(true), Member::Fork, Member::Knee, Member::Strut(false), foot];
             let missing = chain.into_iter().find(|m| !reached.contains(m)).unwrap_or(foot);
-            return Some(Broken::LoopOpen { missing: name(missing) });
+            return Some(BrokenConstraint::LoopOpen { missing: name(missing) });
         }
         if done.contains(&Task::PlugHub) {
-            return Some(Broken::Rigid { part: name(foot) });
+            return Some(BrokenConstraint::Rigid { part: name(foot) });
         }
         let before = self.posture(done, Some((Task::CloseTriangle, FREE_WAY)));
         let gap_mm = self.leg_gap_mm(&before);
         if gap_mm > MEETING_MM {
-            return Some(Broken::DoesNotMeet { rod: name(leg), part: name(foot), gap_mm });
+            return Some(BrokenConstraint::DoesNotMeet { rod: name(leg), part: name(foot), gap_mm });
         }
         self.swept_bend(done, Task::CloseTriangle, &reached)
     }
@@ -340,41 +340,41 @@ impl<'a> Rules<'a> {
     }
 
     /// The plugs lead the modules while the bottom ring closes, so its rods have to be there by then.
-    fn broken_plug(&self, done: &Done) -> Option<Broken> {
+    fn broken_plug(&self, done: &Done) -> Option<BrokenConstraint> {
         let rod = || self.without(done, Member::HubJoint, Member::Cage(false));
         shut_by(done, &[Task::CloseRing, Task::CloseTop]).or_else(rod).or_else(|| self.not_facing(done))
     }
 
-    fn broken_ring(&self, done: &Done) -> Option<Broken> {
+    fn broken_ring(&self, done: &Done) -> Option<BrokenConstraint> {
         let missing = [Member::Hub, Member::Cage(false)].into_iter().find_map(|member| self.without(done, Member::HubJoint, member));
         shut_by(done, &[Task::CloseTop]).or(missing).or_else(|| self.not_facing(done))
     }
 
     /// What a closing lacks that has to hang on a member.
-    fn without(&self, done: &Done, of: Member, member: Member) -> Option<Broken> {
-        (!self.component(of, done).contains(&member)).then(|| Broken::LoopOpen { missing: name(member) })
+    fn without(&self, done: &Done, of: Member, member: Member) -> Option<BrokenConstraint> {
+        (!self.component(of, done).contains(&member)).then(|| BrokenConstraint::LoopOpen { missing: name(member) })
     }
 
-    fn not_facing(&self, done: &Done) -> Option<Broken> {
+    fn not_facing(&self, done: &Done) -> Option<BrokenConstraint> {
         let foot = Member::Corner(false);
         let stands = |posture: &Posture| self.module.pose(foot, posture).rotation;
         let turned = stands(&self.posture(done, None)).angle_to(&stands(&self.module.closed()));
         let off_deg = Angle::rad(turned).to_deg();
-        (off_deg > FACING_DEG).then(|| Broken::NotFacing { part: name(foot), off_deg })
+        (off_deg > FACING_DEG).then(|| BrokenConstraint::NotFacing { part: name(foot), off_deg })
     }
 
     /// The top ring goes onto struts that stand where they will be: on modules that are home.
-    fn broken_top(&self, done: &Done) -> Option<Broken> {
+    fn broken_top(&self, done: &Done) -> Option<BrokenConstraint> {
         let top = Member::Corner(true);
         if !done.contains(&Task::CloseRing) {
-            return Some(Broken::LoopOpen { missing: name(Member::Corner(false)) });
+            return Some(BrokenConstraint::LoopOpen { missing: name(Member::Corner(false)) });
         }
         let missing = self.without(done, Member::Hub, Member::Strut(true)).or_else(|| self.without(done, top, Member::Cage(true)));
         let within: BTreeSet<Member> = [Member::Hub, top].into_iter().flat_map(|member| self.component(member, done)).collect();
         missing.or_else(|| self.swept_bend(done, Task::CloseTop, &within))
     }
 
-    fn swept_bend(&self, done: &Done, task: Task, within: &BTreeSet<Member>) -> Option<Broken> {
+    fn swept_bend(&self, done: &Done, task: Task, within: &BTreeSet<Member>) -> Option<BrokenConstraint> {
         (0..=2 * SAMPLES).find_map(|sample| {
             let posture = self.posture(done, Some((task, f64::from(sample) / f64::from(2 * SAMPLES))));
             self.first_overlap(within, within, &posture, &Isometry3::identity())
@@ -387,7 +387,7 @@ impl<'a> Rules<'a> {
         still: &BTreeSet<Member>,
         posture: &Posture,
         off: &Isometry3<f64>,
-    ) -> Option<Broken> {
+    ) -> Option<BrokenConstraint> {
         // What is joined in the end touches there; whether it gets there is asked where it is joined.
         let touch = |a: Member, b: Member| a == b || self.joined.contains(&(a, b));
         let placed = |m: Member, off: &Isometry3<f64>| -> Vec<_> {
@@ -401,7 +401,7 @@ impl<'a> Rules<'a> {
                 for ((axis, r), (other, s)) in mine.iter().flat_map(|x| theirs.iter().map(move |y| (x, y))) {
                     let overlap_mm = r + s - distance_mm(axis, other);
                     if overlap_mm > OVERLAP_MM {
-                        return Some(Broken::Blocked { mover: name(*a), other: name(*b), overlap_mm });
+                        return Some(BrokenConstraint::Blocked { mover: name(*a), other: name(*b), overlap_mm });
                     }
                 }
             }
@@ -427,9 +427,9 @@ pub fn rods_enter_mm(frame: &Frame) -> f64 {
 }
 
 /// What keeps modules from being pressed in: a ring that is closed already.
-fn shut_by(done: &Done, rings: &[Task]) -> Option<Broken> {
+fn shut_by(done: &Done, rings: &[Task]) -> Option<BrokenConstraint> {
     let shut = rings.iter().any(|ring| done.contains(ring));
-    shut.then(|| Broken::LoopShut { mover: name(Member::HubJoint), onto: name(Member::Hub) })
+    shut.then(|| BrokenConstraint::LoopShut { mover: name(Member::HubJoint), onto: name(Member::Hub) })
 }
 
 /// For each rod the parts at its ends, as members.

@@ -9,7 +9,7 @@ use super::hinge::{self, HingeLoad};
 use super::linkage::{FREE_WAY, Linkage, LinkageError, Stance};
 use super::member::Member;
 use super::posture::{Module, Posture};
-use super::rules::{Broken, Done, Rules, rods_enter_mm};
+use super::rules::{BrokenConstraint, Done, Rules, rods_enter_mm};
 use super::task::{FoldMotion, Task, is_seated_early};
 use crate::figures::told_apart;
 use crate::frame::skeleton::{Centre, MODULE_NAMES, MODULE_WORDS, ModulePlaces, RodRole, Skeleton};
@@ -31,7 +31,7 @@ pub enum FoldError {
     #[error("there is no order in which the frame can be put together: {}", listed(blocked))]
     NoOrder {
         /// What keeps each remaining task.
-        blocked: Vec<(Task, Broken)>,
+        blocked: Vec<(Task, BrokenConstraint)>,
     },
     /// The plugs are too short to guide the modules while the rings close.
     #[error("the cage rods enter the next corner {} mm before the modules are home, the plugs reach only {} mm",
@@ -44,7 +44,7 @@ pub enum FoldError {
     },
 }
 
-fn listed(blocked: &[(Task, Broken)]) -> String {
+fn listed(blocked: &[(Task, BrokenConstraint)]) -> String {
     blocked.iter().map(|(task, broken)| format!("{}: {broken}", task.title())).collect::<Vec<_>>().join("; ")
 }
 
@@ -233,7 +233,7 @@ fn step(rules: &Rules, frame: &Frame, skeleton: &Skeleton, order: &[Task], at: u
 
 fn dependences(rules: &Rules, order: &[Task], at: usize, done: &Done) -> (Vec<Dependence>, Vec<Dependence>) {
     let task = order[at];
-    let depends = |other: Task, broken: Broken| Dependence { task: other, because: broken.to_string() };
+    let depends = |other: Task, broken: BrokenConstraint| Dependence { task: other, because: broken.to_string() };
     let after = order[..at].iter().filter_map(|other| {
         let without: Done = done.iter().copied().filter(|t| t != other).collect();
         rules.broken(&without, task).map(|broken| depends(*other, broken))

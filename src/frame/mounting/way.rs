@@ -12,7 +12,7 @@ use std::cell::OnceCell;
 
 use super::mount::{Fixing, Mount};
 use crate::frame::assembly::press_fit::{ROUNDING, TOUCH_MM3};
-use crate::frame::assembly::{Body, Design, Kind};
+use crate::frame::assembly::{Body, BodyKind, Design};
 use crate::frame::fold::{FITS_A_WAY, Meeting};
 use crate::frame::skeleton::BatteryAxes;
 use crate::solid::{BoxTree, MeshSolid, OrientedBox};
@@ -61,7 +61,7 @@ impl<'a> Ways<'a> {
 
     /// The bodies of the modules; without what the propellers sweep.
     pub(super) fn modules(&self) -> Vec<&'a Body> {
-        let kept = |body: &&Body| body.module.is_some() && self.design.shape(body).kind != Kind::Propeller;
+        let kept = |body: &&Body| body.module.is_some() && self.design.shape(body).kind != BodyKind::Propeller;
         self.design.bodies.iter().filter(kept).collect()
     }
 
@@ -100,7 +100,7 @@ impl<'a> Ways<'a> {
         [a, b]: [&Body; 2],
         way: fn(&Self, Vector3<f64>, [&Body; 2]) -> Compared,
     ) -> Compared {
-        let free = squeezed(mount, a, b) || self.design.shape(a).kind == Kind::Propeller;
+        let free = squeezed(mount, a, b) || self.design.shape(a).kind == BodyKind::Propeller;
         let from = mount.from_in(self.battery_axes());
         let Some(towards) = from.filter(|_| !free) else {
             return Compared { comparisons: 0, places: 0, worst: None };

@@ -17,11 +17,11 @@ use super::fit_step::SLOPES;
 use super::foot_mode::FootMode;
 use super::kept_tables::{KeptTables, TableKey};
 use super::legged_body::{LeggedBody, Legs, Slopes};
-use super::mount::Mount;
 use super::observed::{HeightLandings, ObservedLanding, ObservedLandings};
-use super::parameter::{Kind, LEGS, PARAMETERS, Parameter};
+use super::parameter::{LEGS, PARAMETERS, Parameter, ParameterKind};
 use super::population::Population;
 use super::posterior::window_given_touches;
+use super::sensor_mount::SensorMount;
 use super::table::LandingTable;
 use super::touched_slopes::TouchLikelihood;
 use crate::impact::effects::Model;
@@ -104,7 +104,7 @@ impl LandingProblem<'_> {
             inertia_kg_m2: own[2],
             friction_n: friction.first().copied().unwrap_or(0.0),
             feet: if let [share, f_hz, zeta] = *feet { Some(FootMode { share, f_hz, zeta }) } else { None },
-            mount: if let [f_hz, zeta] = *mount { Some(Mount { f_hz, zeta }) } else { None },
+            mount: if let [f_hz, zeta] = *mount { Some(SensorMount { f_hz, zeta }) } else { None },
         };
         (legs, Slopes { rate_rad_s: slopes[0], at_release_rad: slopes[1] })
     }
@@ -112,10 +112,10 @@ impl LandingProblem<'_> {
     /// What is fitted, in its order.
     pub fn parameters(&self) -> Vec<&'static Parameter> {
         let fitted = |parameter: &&Parameter| match parameter.kind {
-            Kind::Friction => self.parts.rubbing,
-            Kind::Feet => self.parts.heavy_feet,
-            Kind::Mount => self.parts.mounted,
-            Kind::Leg | Kind::Slope => true,
+            ParameterKind::Friction => self.parts.rubbing,
+            ParameterKind::Feet => self.parts.heavy_feet,
+            ParameterKind::Mount => self.parts.mounted,
+            ParameterKind::Leg | ParameterKind::Slope => true,
         };
         PARAMETERS.iter().filter(fitted).collect()
     }

@@ -1,7 +1,7 @@
 //! What lands: a rigid body on four legs, and how its slope varies between drops.
 
 use super::foot_mode::FootMode;
-use super::mount::Mount;
+use super::sensor_mount::SensorMount;
 use crate::impact::effects::Model;
 
 /// From the hub's axis to a foot of CogniFly v8, m. Source: its parts as measured; 0.14 m to the middle of the foot's contact.
@@ -48,7 +48,7 @@ pub struct Legs {
     /// Mass of the feet themselves; `None` for legs without mass.
     pub feet: Option<FootMode>,
     /// What carries the sensor; `None` for one that is fixed to the body.
-    pub mount: Option<Mount>,
+    pub mount: Option<SensorMount>,
 }
 
 /// How the landing's slope varies between drops: along each diagonal a normal quantity with mean 0.

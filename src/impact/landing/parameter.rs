@@ -16,7 +16,7 @@ pub struct Parameter {
     /// Where a fit begins.
     pub start: f64,
     /// What it belongs to.
-    pub kind: Kind,
+    pub kind: ParameterKind,
     /// Standard deviation of what the method itself is off, as a share of the value: what synthetic sets of a generator that shares no
     /// equation with this model show beyond how their drops vary (docs/diagnosis.md). 0 where it was not measured.
     method: f64,
@@ -24,7 +24,7 @@ pub struct Parameter {
 
 /// Legs, feet and mount are fitted as logarithms, friction and slopes as they are.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum ParameterKind {
     /// Of the legs and the body on them.
     Leg,
     /// Of the legs' dry friction.
@@ -38,7 +38,7 @@ pub enum Kind {
 }
 
 impl Parameter {
-    const fn new(key: &'static str, unit: &'static str, bounds: [f64; 2], step: f64, start: f64, kind: Kind) -> Self {
+    const fn new(key: &'static str, unit: &'static str, bounds: [f64; 2], step: f64, start: f64, kind: ParameterKind) -> Self {
         Self { key, unit, bounds, step, start, kind, method: 0.0 }
     }
 
@@ -80,23 +80,23 @@ impl Parameter {
     }
 
     fn is_logarithmic(&self) -> bool {
-        matches!(self.kind, Kind::Leg | Kind::Feet | Kind::Mount)
+        matches!(self.kind, ParameterKind::Leg | ParameterKind::Feet | ParameterKind::Mount)
     }
 }
 
 /// Legs, their friction, feet, mount, slopes, in this order; friction, feet and mount may be left out.
 pub static PARAMETERS: [Parameter; 11] = [
-    Parameter::new("k", "N/m", [300.0, 5e5], 0.02, 1.5e4, Kind::Leg).off_by(0.03),
-    Parameter::new("c", "N s/m", [0.05, 1000.0], 0.02, 25.0, Kind::Leg).off_by(0.07),
-    Parameter::new("inertia_kg_m2", "kg m2", [2e-5, 5e-2], 0.02, 1e-3, Kind::Leg).off_by(0.115),
-    Parameter::new("f_c_n", "N", [0.0, 200.0], 1.0, 0.0, Kind::Friction),
-    Parameter::new("foot_share", "1", [0.01, 0.6], 0.05, FEET_START[0], Kind::Feet),
-    Parameter::new("foot_f_hz", "Hz", [50.0, 500.0], 0.02, 200.0, Kind::Feet),
-    Parameter::new("foot_zeta", "1", [0.002, 1.5], 0.1, FEET_START[1], Kind::Feet),
-    Parameter::new("f_hz", "Hz", [50.0, 1500.0], 0.02, 160.0, Kind::Mount),
-    Parameter::new("zeta", "1", [0.02, 1.5], 0.02, MOUNT_ZETA, Kind::Mount),
-    Parameter::new("sigma_r_rad_s", "rad/s", touched_slopes::BOUNDS[0], touched_slopes::STEPS[0], 0.0, Kind::Slope).off_by(0.06),
-    Parameter::new(RELEASE, "rad", touched_slopes::BOUNDS[1], touched_slopes::STEPS[1], 0.0, Kind::Slope),
+    Parameter::new("k", "N/m", [300.0, 5e5], 0.02, 1.5e4, ParameterKind::Leg).off_by(0.03),
+    Parameter::new("c", "N s/m", [0.05, 1000.0], 0.02, 25.0, ParameterKind::Leg).off_by(0.07),
+    Parameter::new("inertia_kg_m2", "kg m2", [2e-5, 5e-2], 0.02, 1e-3, ParameterKind::Leg).off_by(0.115),
+    Parameter::new("f_c_n", "N", [0.0, 200.0], 1.0, 0.0, ParameterKind::Friction),
+    Parameter::new("foot_share", "1", [0.01, 0.6], 0.05, FEET_START[0], ParameterKind::Feet),
+    Parameter::new("foot_f_hz", "Hz", [50.0, 500.0], 0.02, 200.0, ParameterKind::Feet),
+    Parameter::new("foot_zeta", "1", [0.002, 1.5], 0.1, FEET_START[1], ParameterKind::Feet),
+    Parameter::new("f_hz", "Hz", [50.0, 1500.0], 0.02, 160.0, ParameterKind::Mount),
+    Parameter::new("zeta", "1", [0.02, 1.5], 0.02, MOUNT_ZETA, ParameterKind::Mount),
+    Parameter::new("sigma_r_rad_s", "rad/s", touched_slopes::BOUNDS[0], touched_slopes::STEPS[0], 0.0, ParameterKind::Slope).off_by(0.06),
+    Parameter::new(RELEASE, "rad", touched_slopes::BOUNDS[1], touched_slopes::STEPS[1], 0.0, ParameterKind::Slope),
 ];
 /// Key of the slope at release.
 pub const RELEASE: &str = "sigma_0_rad";
@@ -129,7 +129,7 @@ mod tests {
     #[test]
     fn analytic_the_friction_of_legs_is_the_effect_of_the_catalogue() {
         let spec = by_id(COULOMB_FRICTION).expect("is in the catalogue");
-        let own = PARAMETERS.iter().find(|parameter| parameter.kind == Kind::Friction).expect("is fitted");
+        let own = PARAMETERS.iter().find(|parameter| parameter.kind == ParameterKind::Friction).expect("is fitted");
         let [of_catalogue] = spec.parameters else { panic!("has one number") };
         assert_eq!((own.key, own.unit, own.bounds[0]), (of_catalogue.key, of_catalogue.unit, of_catalogue.min));
     }

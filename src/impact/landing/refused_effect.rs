@@ -2,7 +2,7 @@
 
 use super::fitting::{LandingFit, LandingProblem};
 use super::foot_mode::FOOT_MODE;
-use super::mount::MOUNT_LOW_PASS;
+use super::sensor_mount::MOUNT_LOW_PASS;
 use crate::impact::diagnose::UNSTEADY;
 
 /// An effect that is left out.

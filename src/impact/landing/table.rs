@@ -5,7 +5,7 @@ use rayon::prelude::*;
 
 use super::descent::Descent;
 use super::legged_body::{LeggedBody, Legs, Slopes};
-use super::mount::Mount;
+use super::sensor_mount::SensorMount;
 use super::simulation::{FEET, Landing, Landings, STEP_S, SensorAxis, simulate_each};
 use super::slope_grid::{GridPoint, points, simulated};
 use crate::impact::effects::{Model, Sensor};
@@ -159,7 +159,7 @@ fn landed_everywhere(
 }
 
 /// What the sensor reads of each landing; `None` where the body is lost.
-fn read<const N: usize>(mut landings: Landings<N>, mount: Option<Mount>, model: &Model) -> [Option<ReadLanding>; N] {
+fn read<const N: usize>(mut landings: Landings<N>, mount: Option<SensorMount>, model: &Model) -> [Option<ReadLanding>; N] {
     with_wide_registers(Sensing { waves_g: &mut landings.accel_g, mount, sensor: model.arrangement().sensor });
     landings.each().map(|landing| landing.map(|Landing { accel_g: wave_g, touch_s }| ReadLanding { wave_g, touch_s }))
 }
@@ -167,7 +167,7 @@ fn read<const N: usize>(mut landings: Landings<N>, mount: Option<Mount>, model: 
 /// Proper acceleration of bodies, g, that becomes what their sensors read: the mount, the sensor's stages one after the other, gain and limit.
 struct Sensing<'a, const N: usize> {
     waves_g: &'a mut [[f64; N]],
-    mount: Option<Mount>,
+    mount: Option<SensorMount>,
     sensor: Sensor,
 }
 
@@ -207,7 +207,7 @@ mod tests {
             (0..600).map(|point| [20.0, 90.0, 150.0, 400.0].map(|peak_g| peak_g * libm::sin(f64::from(point) * 5e-3))).collect();
         let sensing = |waves_g| Sensing {
             waves_g,
-            mount: Some(Mount { f_hz: 180.0, zeta: 0.2 }),
+            mount: Some(SensorMount { f_hz: 180.0, zeta: 0.2 }),
             sensor: Sensor { gain: 0.97, ..Sensor::new(500.0, 2, 230.0, Channel::Axial) },
         };
         let [mut wide, mut narrow] = [begin.clone(), begin.clone()];

@@ -11,8 +11,8 @@ use super::fit_step::{FitStep, SLOPES};
 use super::fitting::{LandingFit, LandingProblem};
 use super::foot_mode::FOOT_MODE;
 use super::legged_body::{COULOMB_FRICTION, Legs, Slopes};
-use super::mount::MOUNT_LOW_PASS;
-use super::parameter::{Kind, Parameter};
+use super::parameter::{Parameter, ParameterKind};
+use super::sensor_mount::MOUNT_LOW_PASS;
 use super::touched_slopes::{SlopeNumber, TouchLikelihood};
 use crate::impact::diagnose::EffectEstimate;
 use crate::impact::measured::Spread;
@@ -46,22 +46,22 @@ impl FitUncertainty {
         let mut estimates = Vec::with_capacity(parameters.len());
         for (at, parameter) in parameters.into_iter().enumerate() {
             let effect = match parameter.kind {
-                Kind::Friction => COULOMB_FRICTION,
-                Kind::Feet => FOOT_MODE,
-                Kind::Mount => MOUNT_LOW_PASS,
-                Kind::Leg | Kind::Slope => LANDING_TILT,
+                ParameterKind::Friction => COULOMB_FRICTION,
+                ParameterKind::Feet => FOOT_MODE,
+                ParameterKind::Mount => MOUNT_LOW_PASS,
+                ParameterKind::Leg | ParameterKind::Slope => LANDING_TILT,
             };
             let (scaled, value) = (fit.scaled[at], parameter.outward(fit.scaled[at]));
             let spread = Spread::middle(self.changes.iter().map(|change| change[at]), 0.95).unwrap_or([0.0; 2]);
             let [mut low, mut high] = Parameter::with_method(spread, parameter.method_at(scaled, problem.parts.rubbing))
                 .map(|change| parameter.outward(scaled + change).clamp(parameter.bounds[0], parameter.bounds[1]));
-            if parameter.kind == Kind::Slope && fit.slopes.has_none() {
+            if parameter.kind == ParameterKind::Slope && fit.slopes.has_none() {
                 let (tables, number) = (problem.tables(&fit.legs, &fit.slopes)?, SlopeNumber::ALL[at - first_slope]);
                 let likelihood = TouchLikelihood::of(&problem.heights(), &tables)?;
                 [low, high] = if value == 0.0 { [low, likelihood.most(number)] } else { [low.min(likelihood.least(number, value)), high] };
             }
             // Slopes may well be none.
-            let at_bound = fit.at_bound[at] && (parameter.kind != Kind::Slope || value > 0.5 * parameter.bounds[1]);
+            let at_bound = fit.at_bound[at] && (parameter.kind != ParameterKind::Slope || value > 0.5 * parameter.bounds[1]);
             estimates.push(EffectEstimate { effect, key: parameter.key, unit: parameter.unit, value, ci95: [low, high], at_bound });
         }
         Some(estimates)

@@ -5,7 +5,7 @@ use super::frame_model::{Extent, FrameModel};
 use super::model_error::ModelError;
 use super::weights::weights;
 use crate::frame::assembly::mass::MassTable;
-use crate::frame::assembly::{Design, Kind};
+use crate::frame::assembly::{BodyKind, Design};
 use crate::mechanics::parts::parts_plan::{PartModel, part_models};
 use crate::mechanics::parts::section::Elastic;
 use crate::mechanics::settings::MechanicsSettings;
@@ -37,7 +37,7 @@ impl FrameModel {
         for part in parts {
             for (index, body) in design.bodies.iter().enumerate() {
                 let here = extent == Extent::Whole || body.module == Some(0);
-                if here && design.shape(body).kind == Kind::Printed(part.name) {
+                if here && design.shape(body).kind == BodyKind::Printed(part.name) {
                     builder.add_part(part, index, &body.pose);
                 }
             }

@@ -5,7 +5,7 @@
 
 use nalgebra::Vector3;
 
-use crate::frame::assembly::{Design, Kind};
+use crate::frame::assembly::{BodyKind, Design};
 use crate::mechanics::model::frame_model::{Extent, FrameModel};
 use crate::mechanics::system::structure::State;
 use crate::solid::Mesh;
@@ -48,8 +48,8 @@ impl Bound {
         for (index, body) in design.bodies.iter().enumerate() {
             let shape = design.shape(body);
             let nodes: Vec<usize> = match (shape.kind, body.module) {
-                (Kind::Propeller, _) => continue,
-                (Kind::Motor | Kind::Bought(_), Some(module)) => model.motors.get(module).copied().into_iter().collect(),
+                (BodyKind::Propeller, _) => continue,
+                (BodyKind::Motor | BodyKind::Bought(_), Some(module)) => model.motors.get(module).copied().into_iter().collect(),
                 _ => model.skins.iter().find(|skin| skin.body == index).map_or(vec![model.hub], |skin| skin.nodes.clone()),
             };
             let flexible = shape.kind.is_flexible();

@@ -1,6 +1,6 @@
 //! The sub-assemblies of a frame, each with its parts and with the steps that make it: centre, module, battery cartridge.
 
-use crate::frame::assembly::{Body, Design, Kind};
+use crate::frame::assembly::{Body, BodyKind, Design};
 use crate::frame::fold::FoldSequence;
 use crate::frame::mounting::{MountStep, Mounting, PartLine};
 use crate::frame::skeleton::MODULE_NAMES;
@@ -74,7 +74,7 @@ fn module(design: &Design, fold: &FoldSequence, mounting: &Mounting) -> SubAssem
         text: "An arm with motor, strut, corners, and the cage rods towards the next module. Each step is done at each of the four.".into(),
         steps: own().map(|(at, (step, _))| numbered(first + at, step.title)).collect(),
         parts: all.iter().map(part).collect(),
-        picture: picture(design, |body| body.module == Some(0) && design.shape(body).kind != Kind::Propeller),
+        picture: picture(design, |body| body.module == Some(0) && design.shape(body).kind != BodyKind::Propeller),
     }
 }
 

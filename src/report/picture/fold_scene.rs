@@ -12,7 +12,7 @@ use super::camera::{Camera, View};
 use super::labels::Labels;
 use super::raster::{self, Fill};
 use super::visible::seen_at;
-use crate::frame::assembly::{Design, Kind};
+use crate::frame::assembly::{BodyKind, Design};
 use crate::frame::fold::{Done, FREE_WAY, FoldBend, FoldSequence, Member, Moment, NEXT_MODULE, Step, TOP_BENT, Task};
 use crate::frame::fold::{bent_by, depth, exploded, mesh_at, moment, threading};
 use crate::frame::skeleton::{MODULE_NAMES, MODULE_WORDS};
@@ -154,7 +154,7 @@ pub fn apart(design: &Design, fold: &FoldSequence) -> Picture {
             (None, Some(module)) => over_motor(fold, &places, module) * body.pose,
             _ => Isometry3::translation(0.0, 0.0, layer * LAYER_MM) * body.pose,
         };
-        named.push((words_of(&body.name, body.module, matches!(shape.kind, Kind::Rod(_))), body.module));
+        named.push((words_of(&body.name, body.module, matches!(shape.kind, BodyKind::Rod(_))), body.module));
         shown.push(Shown { mesh: shape.mesh.clone(), pose, colour: shape.colour });
     }
     let camera = Camera::fit(View::Perspective, false, &corners(&items(&shown)), EXPLODED_SIZE);

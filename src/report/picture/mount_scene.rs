@@ -11,7 +11,7 @@ use super::image::corners;
 use super::propeller_scene;
 use crate::frame::assembly::wire::Wire;
 use crate::frame::assembly::wires::{lead_ends, wires};
-use crate::frame::assembly::{Body, Design, Kind};
+use crate::frame::assembly::{Body, BodyKind, Design};
 use crate::frame::mounting::{Fixing, MountStep, PartLine};
 
 /// Width and height, pixels.
@@ -72,7 +72,7 @@ pub fn part(design: &Design, line: &PartLine) -> Option<Picture> {
     let named = || design.bodies.iter().find(|body| line.body.as_ref() == Some(&body.name));
     let alone = |mesh, colour| Shown { mesh, pose: Isometry3::identity(), colour };
     let shown = match (printed, named()) {
-        (None, Some(body)) if design.shape(body).kind == Kind::Propeller => {
+        (None, Some(body)) if design.shape(body).kind == BodyKind::Propeller => {
             propeller_scene::blades_of(design, body.module?).map(|(mesh, colour)| alone(mesh.into(), colour)).into()
         }
         (printed, body) => vec![alone(printed.or_else(|| body.map(|body| design.shape(body).mesh.clone()))?, COLOURS[1])],

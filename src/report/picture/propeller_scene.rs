@@ -9,7 +9,7 @@ use super::blades::propeller;
 use super::camera::{Camera, View};
 use super::fold_scene::{ARROW_PLACES, COLOUR_WORDS, COLOURS, Picture, Shown, colour_words, draw, items};
 use super::image::corners;
-use crate::frame::assembly::{Design, Kind};
+use crate::frame::assembly::{BodyKind, Design};
 use crate::frame::skeleton::{MODULE_NAMES, ROTORS, Spin};
 use crate::solid::Mesh;
 
@@ -57,8 +57,8 @@ pub fn rotations(design: &Design, taken_out: &[String]) -> Picture {
     for body in design.bodies.iter().filter(|body| !taken_out.contains(&body.name)) {
         let shape = design.shape(body);
         let colour = match shape.kind {
-            Kind::Propeller => continue,
-            Kind::Motor => COLOURS[MOTOR],
+            BodyKind::Propeller => continue,
+            BodyKind::Motor => COLOURS[MOTOR],
             _ => COLOURS[2],
         };
         shown.push(Shown { mesh: shape.mesh.clone(), pose: body.pose, colour });

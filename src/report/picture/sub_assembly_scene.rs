@@ -5,7 +5,7 @@ use super::fold_scene::{Picture, Shown, draw, items, words_of};
 use super::image::corners;
 use super::labels::Labels;
 use super::visible::seen_at;
-use crate::frame::assembly::{Body, Design, Kind};
+use crate::frame::assembly::{Body, BodyKind, Design};
 
 /// Width and height, pixels.
 const SIZE: [u32; 2] = [960, 720];
@@ -28,7 +28,7 @@ pub fn together(design: &Design, bodies: &[&Body]) -> Picture {
     let mut seen: Vec<String> = Vec::new();
     for (body, point) in bodies.iter().zip(points).filter_map(|(body, point)| Some((body, point?))) {
         let shape = design.shape(body);
-        let words = words_of(&body.name, body.module, matches!(shape.kind, Kind::Rod(_)));
+        let words = words_of(&body.name, body.module, matches!(shape.kind, BodyKind::Rod(_)));
         if !seen.contains(&words) {
             labels.put(&words, NAMES, point);
             seen.push(words);

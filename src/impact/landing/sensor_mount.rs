@@ -10,14 +10,14 @@ pub const MOUNT_LOW_PASS: &str = "mount_low_pass";
 
 /// Frequency and damping of what carries the sensor.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
-pub struct Mount {
+pub struct SensorMount {
     /// Its frequency, Hz.
     pub f_hz: f64,
     /// Its damping over the critical one.
     pub zeta: f64,
 }
 
-impl Mount {
+impl SensorMount {
     /// Turns proper acceleration of bodies, side by side, into that of their sensors, both at steps of the same length, s: the implicit midpoint
     /// rule, order 2.
     #[inline(always)]
@@ -48,7 +48,7 @@ mod tests {
 
     #[test]
     fn analytic_a_step_swings_as_an_oscillator_does() {
-        let mount = Mount { f_hz: 150.0, zeta: 0.2 };
+        let mount = SensorMount { f_hz: 150.0, zeta: 0.2 };
         let step_s = 5e-5;
         let mut wave = vec![[10.0]; 600];
         mount.carry(&mut wave, step_s);
@@ -67,7 +67,7 @@ mod tests {
     fn analytic_a_stiff_mount_reads_what_the_body_does() {
         let mut wave: Vec<[f64; 1]> = (0..600).map(|i| [50.0 * libm::sin(f64::from(i) * 5e-5 / 0.03 * std::f64::consts::PI)]).collect();
         let body = wave.clone();
-        Mount { f_hz: 3000.0, zeta: 0.7 }.carry(&mut wave, 5e-5);
+        SensorMount { f_hz: 3000.0, zeta: 0.7 }.carry(&mut wave, 5e-5);
         assert!(wave.iter().zip(&body).skip(20).all(|([sensor], [body])| (sensor - body).abs() < 0.4));
     }
 }
