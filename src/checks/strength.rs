@@ -23,8 +23,8 @@ const BUCKLING: &[&str] = &["rods.rod_diameter_mm", "rods.cage_rod_length_mm", "
 pub static RULE: Rule = Rule {
     id: "design_drop",
     title: "Design drop",
-    requires: "acceleration, strain and rod compression in the design drop are within their limits",
-    units: &["g", "%", "N", "m/s", ""],
+    requires: "acceleration, travel, strain and rod compression in the design drop are within their limits",
+    units: &["g", "mm", "%", "N", "m/s", ""],
     limits: &[Limit::Mechanics],
     levers: Levers::Sets(&[PAYLOAD, STRETCH, BUCKLING, MODULUS, ground::LEVERS]),
     blame: Blame::Levers,
@@ -40,6 +40,7 @@ pub fn strength(design: &Design, masses: &MassTable, limits: &DropLimits, found:
     let [value, limit] = peak.figures(1);
     let message = format!("dropped from {drop_m} m the payload's peak is {value} g, {limit} g are allowed");
     let mut findings = vec![peak.at_most("payload".into(), message)];
+    findings.push(travel(design, found));
     let (zone, strain) = found.strain;
     let breaks = design.frame.flexible.material.elongation_at_break_percent.unwrap_or(0.0);
     let stretch = Measure { rule: RULE.id, value: 100.0 * strain, limit: breaks / limits.strain_factor, unit: "%", levers: STRETCH };
@@ -84,6 +85,18 @@ fn gives_way(why: &str) -> Finding {
     lost.at_most("frame".into(), format!("the design drop cannot be followed: {why}"))
 }
 
+/// How far the centre comes down. The model has no arms that meet the feet: beyond that, and for a softer frame a lower peak, its figures say nothing.
+fn travel(design: &Design, found: &Prediction) -> Finding {
+    let room_mm = design.skeleton.closure.ring_half_height_mm;
+    let travel = Measure { rule: RULE.id, value: found.travel_mm, limit: room_mm, unit: "mm", levers: PAYLOAD };
+    let [value, limit] = travel.figures(0);
+    let message = format!(
+        "dropped from {} m the centre comes down by {value} mm, there are {limit} mm until the arms are at the lower ring",
+        found.drop_m
+    );
+    travel.at_most("travel".into(), message)
+}
+
 /// The lowest body where it hits the ground.
 fn strike(design: &Design, masses: &MassTable, found: &Prediction) -> Option<Finding> {
     let GroundClearance { lowest, clearance_mm, .. } = ground::measure(&Scene::new(design, masses))?;
@@ -122,7 +135,7 @@ mod tests {
             strain: ("bottom corner leg web", 0.3),
             rod: Some(rod.clone()),
             stiffness_band: [0.5, 2.0],
-            young_mpa: 65.9,
+            young_mpa: 65.0,
             doubt: None,
         };
         let violated =
@@ -144,6 +157,7 @@ mod tests {
             [Some(4.4), Some(4.4), Some(0.0), None]
         );
         assert_eq!(violated(&Prediction { payload_peak_g: 151.0, ..good.clone() }), 1);
+        assert_eq!(violated(&Prediction { travel_mm: 58.0, ..good.clone() }), 1);
         assert_eq!(violated(&Prediction { strain: ("bottom corner leg web", 1.5), ..good.clone() }), 1);
         assert_eq!(violated(&Prediction { rod: Some(RodForce { compression_n: 210.0, ..rod }), ..good }), 1);
     }

@@ -77,14 +77,15 @@ impl Slicer {
         fs::write(&solid, stl::binary(&part.mesh)?)?;
         fs::write(&settings, ini(&design.material_of(part.name).material, &design.frame.printer))?;
         let log = file("log");
+        let said = fs::File::create(&log)?;
         let child = Command::new(&self.program)
             .arg("--load")
             .arg(&settings)
             .args(instead)
             .args([Path::new("--export-gcode"), Path::new("--output"), &gcode, &solid])
             .stdin(Stdio::null())
-            .stdout(Stdio::from(fs::File::create(&log)?))
-            .stderr(Stdio::null())
+            .stdout(Stdio::from(said.try_clone()?))
+            .stderr(Stdio::from(said))
             .spawn()?;
         ended(child, &log)?;
         let volume_mm3 = filament_mm(&gcode)? * FILAMENT_MM2;
@@ -123,9 +124,12 @@ fn ini(material: &Material, printer: &Printer) -> String {
          bed_shape = 0x0,{BED_MM}x0,{BED_MM}x{BED_MM},0x{BED_MM}\nmax_print_height = {BED_MM}\n",
         printer.nozzle_mm
     );
-    if let Some(layer_mm) = material.layer_mm {
-        text += &format!("first_layer_height = {layer_mm}\n");
+    // A material without layers of its own has those of the printer's nozzle, as in every check.
+    let layer_mm = printer.layer_mm(material);
+    if material.layer_mm.is_none() {
+        text += &format!("layer_height = {layer_mm}\n");
     }
+    text += &format!("first_layer_height = {layer_mm}\n");
     text
 }
 

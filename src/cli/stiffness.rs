@@ -53,7 +53,7 @@ pub(super) struct Args {
     /// mechanics. Takes some ten seconds.
     #[arg(long, value_name = "FRAME", add = candidates::frames())]
     pub reference: Option<String>,
-    /// How far the centre is pressed down, mm.
+    /// How far the centre is pressed down, mm; farther where a test that it is compared with went farther.
     #[arg(long, default_value_t = DOWN_MM, value_name = "MM", value_parser = down_mm)]
     pub down: f64,
     /// Leave out the modes.
@@ -70,11 +70,14 @@ pub(super) struct Args {
     pub output: PathBuf,
 }
 
+/// Farthest that the centre is pressed down, mm.
+const MOST_DOWN_MM: f64 = 60.0;
+
 /// A displacement within its bounds: 2 to 60 mm.
 fn down_mm(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
-        Ok(down) if (2.0..=60.0).contains(&down) => Ok(down),
-        _ => Err("give 2 to 60 mm".into()),
+        Ok(down) if (2.0..=MOST_DOWN_MM).contains(&down) => Ok(down),
+        _ => Err(format!("give 2 to {MOST_DOWN_MM} mm")),
     }
 }
 
@@ -124,21 +127,34 @@ fn deformed_files(
 }
 
 /// A reference's name, and the frame's ratios to it.
-fn reference(name: &str, design: &Design, masses: &MassTable, settings: &MechanicsSettings) -> Result<(String, Vec<Ratio>), Failure> {
+fn reference(
+    name: &str,
+    design: &Design,
+    masses: &MassTable,
+    [stated, settings]: [&MechanicsSettings; 2],
+) -> Result<(String, Vec<Ratio>), Failure> {
     let (frame, file) = session::load(&FrameOption { frame: name.into(), rigid: None })?;
     let other = session::designed(frame, &file, &design.memo)?;
     let weighed = mass::table(&other);
+    let [own, others] = [design, &other].map(|design| &design.frame.flexible);
+    if own.material.tensile_modulus_mpa != others.material.tensile_modulus_mpa {
+        terminal::tell(&format!(
+            "{} is of {}, {} of {}: ratios contain that of their moduli, and bands leave out how well it is known",
+            design.frame.name, own.name, other.frame.name, others.name
+        ));
+    }
+    stated.doubt(others).iter().for_each(|doubt| terminal::tell(doubt));
     let found = ratios((design, masses), (&other, &weighed), settings).map_err(mechanics_refused)?;
     Ok((other.frame.name.clone(), found))
 }
 
 /// Head of the file of numbers.
-fn remark(frame: &str, calibration: Option<&Calibration>, points: usize) -> String {
-    let Some(Calibration { settings, interval_mpa: [low, high], rms_n, .. }) = calibration else {
+fn remark(frame: &str, calibration: Option<&Calibration>) -> String {
+    let Some(Calibration { settings, interval_mpa: [low, high], rms_n, points, .. }) = calibration else {
         return "The numbers that this result was computed with.".into();
     };
     format!(
-        "Calibrated on a static test of {frame}: E = {:.1} MPa, 95 % interval {low:.1} to {high:.1} MPa, rms {rms_n:.2} N over {points} points.\n\
+        "Calibrated on a static test of {frame}: E = {:.1} MPa, 95 % interval {low:.1} to {high:.1} MPa, rms {rms_n:.2} N over {points} points above 0 mm.\n\
          Holds for this material and print together with the joints' numbers below.",
         settings.young_mpa
     )
@@ -161,10 +177,12 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         calibration = Some(found);
     }
     let quarter = FrameModel::of_parts(&design, &parts, &masses, &settings, Extent::Quarter).map_err(mechanics_refused)?;
-    let curve = StaticCurve::new(&quarter, args.down, &INSIDE_MM).map_err(mechanics_refused)?;
+    // As far as was measured, too: what is not reached is not compared.
+    let farthest_mm = measured.iter().flatten().map(|[x, _]| *x).fold(args.down, f64::max);
+    let curve = StaticCurve::new(&quarter, farthest_mm.min(MOST_DOWN_MM), &INSIDE_MM).map_err(mechanics_refused)?;
     let whole = FrameModel::of_parts(&design, &parts, &masses, &settings, Extent::Whole).map_err(mechanics_refused)?;
     let modes = if args.no_modes { None } else { Some(Modes::new(&whole, REPORTED).map_err(mechanics_refused)?) };
-    let reference = args.reference.as_ref().map(|name| reference(name, &design, &masses, &settings)).transpose()?;
+    let reference = args.reference.as_ref().map(|name| reference(name, &design, &masses, [&stated, &settings])).transpose()?;
     let rms = measured.as_ref().and_then(|points| rms_n(&curve, points));
     let found = Stiffness {
         frame: &design.frame.name,
@@ -185,7 +203,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         let model = beam_model_data::json(&design.frame.name, &quarter, &curve, &whole, modes.as_ref());
         files.push(("beam-model.json".into(), format!("{model}\n").into_bytes()));
     }
-    let remark = remark(&design.frame.name, calibration.as_ref(), found.measured.len());
+    let remark = remark(&design.frame.name, calibration.as_ref());
     if let Some(bound) = Bound::new(&design, &whole).filter(|_| !args.no_pictures) {
         files.extend(deformed_files(&design, &bound, &whole, &quarter, &curve, modes.as_ref())?);
     }

@@ -66,8 +66,11 @@ pub struct DropLimits {
     pub buckling_factor: f64,
 }
 
-/// Bounds of the flexible material's modulus, MPa.
+/// Within which the modulus of a flexible filament lies, MPa: one beyond is doubted, and no calibration ends there.
 pub const YOUNG_MPA: [f64; 2] = [10.0, 400.0];
+
+/// Bounds of a stated modulus, MPa: as wide as data sheets of all materials ([`MechanicsSettings::for_material`]).
+const STATED_MPA: [f64; 2] = [0.1, 1e6];
 
 /// Bounds of [`MechanicsSettings::impact_modulus`].
 pub const IMPACT_MODULUS: [f64; 2] = [0.1, 3.0];
@@ -95,9 +98,9 @@ const fn key(name: &'static str, bounds: [f64; 2], unit: &'static str, of: fn(&m
 
 /// Every number that has to be stated, in the order of the file: the only list.
 pub const KEYS: [Key; 22] = [
-    key("flexible.young_mpa", YOUNG_MPA, "MPa", |s| &mut s.young_mpa),
-    key("flexible.young_low_mpa", [5.0, 400.0], "MPa", |s| &mut s.young_band_mpa[0]),
-    key("flexible.young_high_mpa", [10.0, 800.0], "MPa", |s| &mut s.young_band_mpa[1]),
+    key("flexible.young_mpa", STATED_MPA, "MPa", |s| &mut s.young_mpa),
+    key("flexible.young_low_mpa", STATED_MPA, "MPa", |s| &mut s.young_band_mpa[0]),
+    key("flexible.young_high_mpa", STATED_MPA, "MPa", |s| &mut s.young_band_mpa[1]),
     key("flexible.poisson", [0.3, 0.499], "1", |s| &mut s.poisson),
     key("flexible.rest_time_s", [0.1, 1e4], "s", |s| &mut s.rest_time_s),
     key("flexible.relaxation_exponent", [0.0, 0.2], "1", |s| &mut s.relaxation_exponent),
@@ -200,13 +203,21 @@ impl MechanicsSettings {
         }
     }
 
-    /// What has to be said of a flexible material whose modulus nobody states, in a sentence.
+    /// What has to be said of a flexible material whose modulus nobody states, or that is no flexible filament's, in a sentence.
     pub fn doubt(&self, material: &NamedMaterial) -> Option<String> {
         let is_unknown = self.tensile_mpa.is_some() && material.material.tensile_modulus_mpa.is_none();
-        is_unknown.then(|| {
-            format!(
+        if is_unknown {
+            return Some(format!(
                 "{} states no tensile_modulus_mpa: the frame is computed as one of the material of {}, {:.1} MPa",
                 material.name, self.name, self.young_mpa
+            ));
+        }
+        let young_mpa = self.for_material(&material.material).young_mpa;
+        let [low, high] = YOUNG_MPA;
+        (!(low..=high).contains(&young_mpa)).then(|| {
+            format!(
+                "{} is computed with {young_mpa:.1} MPa, its tensile_modulus_mpa in the ratio of {}: beyond the {low} to {high} MPa of flexible filaments that says little",
+                material.name, self.name
             )
         })
     }
@@ -289,6 +300,12 @@ mod tests {
         soft.material.tensile_modulus_mpa = None;
         assert_eq!(settings.for_material(&soft.material), settings);
         assert!(settings.doubt(&soft).is_some_and(|told| told.contains("states no tensile_modulus_mpa")));
+        // As stiff as no flexible filament: told, and a file may state it.
+        let mut stiff = known.clone();
+        stiff.material.tensile_modulus_mpa = known.material.tensile_modulus_mpa.map(|mpa| 40.0 * mpa);
+        assert!(settings.doubt(&stiff).is_some_and(|told| told.contains("2600.0 MPa")), "{:?}", settings.doubt(&stiff));
+        let written = ImpactFile::parse("stiff", &settings.for_material(&stiff.material).to_toml("")).expect("is TOML");
+        assert!(MechanicsSettings::read(&written).is_ok());
         // Of a file that a frame of that material was calibrated for.
         assert_eq!(MechanicsSettings { tensile_mpa: None, ..settings }.doubt(&soft), None);
     }
@@ -297,7 +314,7 @@ mod tests {
     fn analytic_a_band_is_one_that_a_file_may_state() {
         let settings = MechanicsSettings::load(None).expect("is sound").with_band([0.1, 5000.0]);
         let file = ImpactFile::parse("wide", &settings.to_toml("")).expect("is TOML");
-        assert_eq!(MechanicsSettings::read(&file).expect("is sound").young_band_mpa, [5.0, 800.0]);
+        assert_eq!(MechanicsSettings::read(&file).expect("is sound").young_band_mpa, [0.1, 5000.0]);
     }
 
     #[test]

@@ -46,6 +46,9 @@ impl Room {
     }
 }
 
+/// What is no farther over an edge lies on it, mm: rounding.
+const ON_MM: f64 = 1e-9;
+
 /// Where a part lies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::printing) struct Place {
@@ -55,23 +58,20 @@ pub(in crate::printing) struct Place {
     pub middle_mm: [f64; 2],
 }
 
-/// Where a part lies on the bed alone, without its brim: in the middle, or at an edge where the middle would take what is kept clear; turned by a
-/// right angle or not.
+/// Where a part lies on the bed alone, without its brim: in the middle, or at an edge or beside what is kept clear where the middle would take that;
+/// turned by a right angle or not.
 pub(super) fn alone(part: &Printed, printer: &Printer) -> Option<Place> {
     let [x, y, z] = part.mesh.size_mm();
     if z > printer.height_mm {
         return None;
     }
-    let places = match printer.bed {
-        Bed::Rectangular => {
-            let bed_mm = printer.size_mm;
-            let turns = [(false, [x, y]), (true, [y, x])].into_iter().filter(|(_, side)| side[0] <= bed_mm[0] && side[1] <= bed_mm[1]);
-            turns.flat_map(|(turned, side)| along(bed_mm, side).map(move |middle_mm| Place { turned, middle_mm })).collect()
-        }
-        Bed::Round if reach_mm(part) <= 0.5 * diameter_mm(printer) => vec![Place { turned: false, middle_mm: [0.0; 2] }],
-        Bed::Round => Vec::new(),
-    };
-    places.into_iter().find(|place| lies_clear(place, part, printer, 0.0))
+    // A part that is no box reaches less far around the middle of a round bed than its box does.
+    let as_it_is = printer.bed == Bed::Round && reach_mm(part) <= 0.5 * diameter_mm(printer);
+    let in_the_middle = as_it_is.then_some(Place { turned: false, middle_mm: [0.0; 2] });
+    let turns = [(false, [x, y]), (true, [y, x])].into_iter();
+    let places =
+        turns.flat_map(|(turned, side)| middles_mm(side, printer, 0.0).into_iter().map(move |middle_mm| Place { turned, middle_mm }));
+    in_the_middle.into_iter().chain(places).find(|place| lies_clear(place, part, printer, 0.0))
 }
 
 /// Whether a part has a place on the bed, alone and without its brim: as large as it needs, and clear of what the printer keeps clear.
@@ -79,22 +79,51 @@ pub fn has_place(part: &Printed, printer: &Printer) -> bool {
     alone(part, printer).is_some()
 }
 
-/// The middle of a box in the middle of a bed, and at its edges and corners, mm.
-fn along(bed_mm: [f64; 2], side_mm: [f64; 2]) -> impl Iterator<Item = [f64; 2]> {
-    let at = move |axis: usize, share: f64| 0.5 * side_mm[axis] + share * (bed_mm[axis] - side_mm[axis]);
-    [0.5, 0.0, 1.0].into_iter().flat_map(move |along_x| [0.5, 0.0, 1.0].map(|along_y| [at(0, along_x), at(1, along_y)]))
+/// Where the middle of a box with a rim may lie on the bed, mm: the middle of the bed, its edges, and beside each area that is kept clear, along each
+/// axis. A place that is as far to a side as it goes is among these where there is any.
+fn middles_mm(side_mm: [f64; 2], printer: &Printer, rim_mm: f64) -> Vec<[f64; 2]> {
+    let half_mm = side_mm.map(|side| 0.5 * side + rim_mm);
+    let kept = || printer.kept_clear_mm.iter().flatten();
+    let beside = |axis: usize| {
+        kept().flat_map(move |area| {
+            let [low, high] = [area[axis].min(area[axis + 2]), area[axis].max(area[axis + 2])];
+            [low - half_mm[axis], high + half_mm[axis]]
+        })
+    };
+    match printer.bed {
+        Bed::Rectangular => {
+            let bed_mm = printer.size_mm;
+            let along = |axis: usize| -> Vec<f64> {
+                let all = [0.5 * bed_mm[axis], half_mm[axis], bed_mm[axis] - half_mm[axis]].into_iter().chain(beside(axis));
+                all.filter(|at| half_mm[axis] <= *at + ON_MM && *at <= bed_mm[axis] - half_mm[axis] + ON_MM).collect()
+            };
+            let across = along(1);
+            along(0).into_iter().flat_map(|x| across.iter().map(move |y| [x, *y])).collect()
+        }
+        Bed::Round => {
+            let radius_mm = 0.5 * diameter_mm(printer) - rim_mm;
+            let corner_mm = side_mm.map(|side| 0.5 * side);
+            let lies_on = |at: &[f64; 2]| libm::hypot(at[0].abs() + corner_mm[0], at[1].abs() + corner_mm[1]) <= radius_mm + ON_MM;
+            let [xs, ys] = [0, 1].map(|axis| std::iter::once(0.0).chain(beside(axis)).collect::<Vec<f64>>());
+            // As far as the edge along one axis.
+            let edge = |other: f64, axis: usize| {
+                let far = other.abs() + corner_mm[1 - axis];
+                (radius_mm * radius_mm - far * far).max(0.0).sqrt() - corner_mm[axis]
+            };
+            let crossed = xs.iter().flat_map(|x| ys.iter().map(move |y| [*x, *y]));
+            let at_edges = xs
+                .iter()
+                .flat_map(|x| [[*x, edge(*x, 1)], [*x, -edge(*x, 1)]])
+                .chain(ys.iter().flat_map(|y| [[edge(*y, 0), *y], [-edge(*y, 0), *y]]));
+            crossed.chain(at_edges).filter(lies_on).collect()
+        }
+    }
 }
 
-/// The middle of a box on the bed, with this much around it: in the middle of the bed, or at an edge where the middle would take what is kept clear,
-/// mm. `None` where the box has no room.
+/// The middle of a box on the bed, with this much around it: in the middle of the bed, or at an edge or beside what is kept clear where the middle
+/// would take that, mm. `None` where the box has no room.
 pub(super) fn middle_of_box(side_mm: [f64; 2], printer: &Printer, rim_mm: f64) -> Option<[f64; 2]> {
-    let whole_mm = side_mm.map(|side| side + 2.0 * rim_mm);
-    let middles = match printer.bed {
-        Bed::Rectangular if (0..2).all(|axis| whole_mm[axis] <= printer.size_mm[axis]) => along(printer.size_mm, whole_mm).collect(),
-        Bed::Round if libm::hypot(side_mm[0], side_mm[1]) <= diameter_mm(printer) - 2.0 * rim_mm => vec![[0.0; 2]],
-        _ => Vec::new(),
-    };
-    middles.into_iter().find(|middle_mm| box_lies_clear(*middle_mm, side_mm, printer, rim_mm))
+    middles_mm(side_mm, printer, rim_mm).into_iter().find(|middle_mm| box_lies_clear(*middle_mm, side_mm, printer, rim_mm))
 }
 
 /// Whether nothing of a part, and of a rim around it, lies where the printer's bed is kept clear.
@@ -109,7 +138,7 @@ fn box_lies_clear(middle_mm: [f64; 2], side_mm: [f64; 2], printer: &Printer, rim
     let apart = |kept: &[f64; 4]| {
         (0..2).any(|axis| {
             let [low, high] = [kept[axis].min(kept[axis + 2]), kept[axis].max(kept[axis + 2])];
-            (middle_mm[axis] - 0.5 * (low + high)).abs() >= 0.5 * (side_mm[axis] + high - low) + rim_mm
+            (middle_mm[axis] - 0.5 * (low + high)).abs() >= 0.5 * (side_mm[axis] + high - low) + rim_mm - ON_MM
         })
     };
     printer.kept_clear_mm.iter().flatten().all(apart)

@@ -4,6 +4,7 @@ use super::bill_figure::{BILL_FIGURES, BillFigure};
 use super::recovery::RecoveryMeasure;
 use crate::checks::{CATALOGUE, Rule, Verdict};
 use crate::export::bill::Bill;
+use crate::figures::decimals;
 use crate::variant::{Better, Evaluation, MEASURES, Measure, caveats};
 
 /// A column of figures.
@@ -49,6 +50,19 @@ impl Column {
             Self::Violations => "",
             Self::Bill(figure) => figure.unit,
             Self::Recovery(measure) => measure.unit,
+        }
+    }
+
+    /// Its name, and its unit where it has one.
+    pub fn with_unit(&self) -> String {
+        if self.unit().is_empty() { self.name() } else { format!("{}, {}", self.name(), self.unit()) }
+    }
+
+    /// A figure as it is reported.
+    pub fn reported(&self, figure: f64) -> String {
+        match self {
+            Self::Measure(measure) => measure.reported(Some(figure)),
+            _ => decimals(figure, 2),
         }
     }
 

@@ -75,6 +75,10 @@ impl Journal {
     /// When it is one of another study, or none.
     pub fn read(study: &Study, text: &[u8]) -> Result<Self, JournalError> {
         let mut outcomes = Outcomes::none(study.rows());
+        // Less than its first line is a begun journal, or somebody's file.
+        if !text.contains(&b'\n') && !begun(study).as_bytes().starts_with(text) {
+            return Err(JournalError::Unreadable { line: 1 });
+        }
         let whole = text.iter().rposition(|byte| *byte == b'\n').map_or(0, |at| at + 1);
         for (at, line) in text[..whole].split_inclusive(|byte| *byte == b'\n').enumerate() {
             let unreadable = |_| JournalError::Unreadable { line: at + 1 };

@@ -138,7 +138,7 @@ fn analytic_a_frame_hardly_turned_falls_as_a_level_one_and_turned_either_way_ali
     let (design, settings) = (design(|_| ()), MechanicsSettings { element_mm: 1.6, socket_elements: 2.0, ..settings() });
     let model = |extent| FrameModel::new(&design, &mass::table(&design), &settings, extent).expect("has a model");
     let (quarter, whole) = (model(Extent::Quarter), model(Extent::Whole));
-    let run = |x_deg: f64| Run { longest_ms: 12.0, tilt: [Angle::deg(x_deg), Angle::deg(0.0)], ..Run::default() };
+    let run = |x_deg: f64| Run { longest_ms: 12.0, longest_down_ms: 12.0, tilt: [Angle::deg(x_deg), Angle::deg(0.0)], ..Run::default() };
     let drop = |model: &FrameModel, x_deg: f64| Impact::new(model, &settings, 1.0, &run(x_deg)).expect("is followed");
     let [level, hardly] = [drop(&quarter, 0.0).peak(), drop(&whole, 1e-4).peak()];
     assert!((hardly[0] / level[0] - 1.0).abs() < 0.01 && (hardly[1] - level[1]).abs() < 0.2, "{level:?} {hardly:?}");
@@ -159,7 +159,7 @@ fn analytic_the_lowest_body_reaches_the_ground_when_its_gap_is_used_up() {
     let (quarter, whole) = (model(Extent::Quarter), model(Extent::Whole));
     let gap_mm = flexframe::checks::ground_clearance(&design, &masses).expect("stands on corners").clearance_mm;
     let underside = |model| Underside::of(&design, model, gap_mm);
-    let run = |y_deg: f64| Run { longest_ms: 8.0, tilt: [Angle::deg(0.0), Angle::deg(y_deg)], ..Run::default() };
+    let run = |y_deg: f64| Run { longest_ms: 8.0, longest_down_ms: 8.0, tilt: [Angle::deg(0.0), Angle::deg(y_deg)], ..Run::default() };
     let level = Impact::new(&quarter, &settings, 1.0, &run(0.0)).expect("is followed");
     let reached = underside(&quarter).reached(&level).expect("uses up its gap");
     let at = level.moments.windows(2).find(|pair| pair[1].down_mm >= gap_mm).expect("uses up its gap");

@@ -68,8 +68,9 @@ fn kept_out(part: &Printed, printer: &Printer) -> Finding {
     let (slug, kept) = (part.name.slug(), printer.kept_clear_mm.as_ref().map_or(0, Vec::len));
     let areas =
         if kept == 1 { "the area that the printer keeps clear".into() } else { format!("the {kept} areas that the printer keeps clear") };
-    let message =
-        format!("{slug} has no place on the bed, in its middle or at an edge, turned or not, that is clear of {areas} (kept_clear_mm)");
+    let message = format!(
+        "{slug} has no place on the bed, in its middle, at an edge or beside another area, turned or not, that is clear of {areas} (kept_clear_mm)"
+    );
     Measure { rule: RULE.id, value: 0.0, limit: 1.0, unit: "places", levers: LEVERS }.at_least(slug.into(), message)
 }
 
@@ -105,6 +106,17 @@ mod tests {
         let found = frame.found(check);
         assert!(violated(&found).iter().any(|f| f.subject == "hub" && f.message.contains("kept_clear_mm")), "{found:?}");
         assert!(violated(&found).iter().all(|f| f.subject != "knee"), "a small part has room beside it");
+        // A stripe that is free between two areas, and a round bed whose middle is kept clear: there is room beside.
+        let wide = hub[0].max(hub[1]);
+        frame.design.frame.printer.size_mm = [4.0 * wide; 2];
+        frame.design.frame.printer.kept_clear_mm =
+            Some(vec![[0.0, 0.0, 0.5 * wide, 4.0 * wide], [1.6 * wide, 0.0, 4.0 * wide, 4.0 * wide]]);
+        assert_eq!(violated(&frame.found(check)), []);
+        frame.design.frame.printer.bed = Bed::Round;
+        frame.design.frame.printer.kept_clear_mm = Some(vec![[-0.2 * wide, -0.2 * wide, 0.2 * wide, 0.2 * wide]]);
+        assert_eq!(violated(&frame.found(check)), []);
+        frame.design.frame.printer.bed = Bed::Rectangular;
+        frame.design.frame.printer.size_mm = [2.0 * hub[0]; 2];
         frame.design.frame.printer.kept_clear_mm = None;
         frame.design.frame.printer.bed = Bed::Round;
         frame.design.frame.printer.height_mm = 1.0;

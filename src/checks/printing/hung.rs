@@ -50,7 +50,7 @@ impl<'a> Hung<'a> {
         let concerned = self.places.iter().filter(|place| match fault {
             Fault::Island => place.island,
             Fault::Overhang => !place.island && !place.bridged,
-            Fault::Bridge => !place.island && place.bridged,
+            Fault::Bridge => !place.island && (place.bridged || place.fault(&self.process) == Some(Fault::Bridge)),
         });
         concerned.max_by(|a, b| size(a).total_cmp(&size(b)))
     }

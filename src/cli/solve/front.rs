@@ -11,6 +11,7 @@ use crate::cli::terminal;
 use crate::figures::decimals;
 use crate::report::chart::front_plot;
 use crate::report::data::front_data;
+use crate::study::Column;
 use crate::variant::{Front, caveats};
 
 /// Says what was found, and writes it when asked to.
@@ -37,7 +38,8 @@ fn write(front: &Front, json: &serde_json::Value, frame: &str, folder: &Path) ->
     let mut files = vec![("pareto.csv".to_string(), front_data::csv(front)?.into_bytes())];
     files.push(("pareto.json".into(), format!("{json:#}\n").into_bytes()));
     let points: Vec<&[f64]> = front.points.iter().map(|point| &point.goals[..]).collect();
-    let plots = front_plot::plots(&front.goals, &points, frame);
+    let goals: Vec<Column> = front.goals.iter().map(|goal| Column::Measure(goal)).collect();
+    let plots = front_plot::plots(&goals, &points, frame);
     files.extend(plots?);
     output::write_folder(folder, &format!("pareto-{frame}"), &files)
 }

@@ -46,7 +46,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
 }
 
 fn of_frames(args: &Args, study: &Study, folder: &Path, known: &Outcomes, common: &Common) -> Result<ExitCode, Failure> {
-    let goals = goals(args, study)?;
+    let goals = goals(args, study, known)?;
     let usage = |error| Failure::Usage { message: format!("--goals: {error}") };
     let found = if goals.is_empty() { Vec::new() } else { front(study, known, &goals).map_err(usage)? };
     let (explained, unexplained) = explained(study, known);
@@ -70,9 +70,12 @@ fn of_frames(args: &Args, study: &Study, folder: &Path, known: &Outcomes, common
     Ok(ExitCode::SUCCESS)
 }
 
-fn goals(args: &Args, study: &Study) -> Result<Vec<String>, Failure> {
-    let sided = study.columns.iter().filter(|column| matches!(column, Column::Measure(measure) if measure.better != Better::Neither));
-    let goals: Vec<String> = if args.goals.is_empty() { sided.take(2).map(Column::name).collect() } else { args.goals.clone() };
+fn goals(args: &Args, study: &Study, known: &Outcomes) -> Result<Vec<String>, Failure> {
+    // A price that no row has is no goal unless it is asked for.
+    let is_known = |at: usize| (0..study.rows()).any(|row| known.figure(row, at).is_some());
+    let sided = study.columns.iter().enumerate().filter(|(at, column)| column.better() != Better::Neither && is_known(*at));
+    let goals: Vec<String> =
+        if args.goals.is_empty() { sided.take(2).map(|(_, column)| column.name()).collect() } else { args.goals.clone() };
     let twice = goals.iter().enumerate().any(|(at, goal)| goals[..at].contains(goal));
     // A study of which no measure has a better side has no front.
     if goals.len() <= 3 && !twice {
@@ -84,11 +87,10 @@ fn goals(args: &Args, study: &Study) -> Result<Vec<String>, Failure> {
 /// Things of columns, by their places.
 type OfColumns<T> = Vec<(usize, T)>;
 
-/// The indices of every measure, and why others have none, where the study is made for them.
+/// The indices of every column, and why others have none, where the study is made for them.
 fn explained(study: &Study, outcomes: &Outcomes) -> (OfColumns<Indices>, OfColumns<IndicesError>) {
     let (mut explained, mut unexplained) = (Vec::new(), Vec::new());
-    let is_measure = |column: &Column| matches!(column, Column::Measure(_));
-    for (at, _) in study.columns.iter().enumerate().filter(|(_, column)| is_measure(column)) {
+    for at in 0..study.columns.len() {
         match indices(study, outcomes, at) {
             Ok(found) => explained.push((at, found)),
             Err(IndicesError::Sampling) => {}

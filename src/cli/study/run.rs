@@ -25,7 +25,7 @@ pub(super) struct Args {
     /// Where the rows are evaluated.
     #[arg(long, value_enum, default_value_t = Engine::Local)]
     engine: Engine,
-    /// Time limit, such as 90s, 10m or 2h; a later run continues.
+    /// Time limit on this machine, such as 90s, 10m or 2h; a later run continues.
     #[arg(long, value_name = "TIME", value_parser = bounded::duration)]
     budget: Option<Duration>,
     /// Discard the existing rows.
@@ -48,6 +48,10 @@ enum Engine {
 }
 
 pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
+    if args.engine == Engine::Hq && (args.budget.is_some() || args.cores.is_some()) {
+        let message = "--budget and --cores are of this machine: with --engine hq the server and its workers decide";
+        return Err(Failure::Usage { message: message.into() });
+    }
     let study = args.study.load()?;
     let folder = args.study.folder(&study);
     let failed = |error| Failure::Machine { what: format!("cannot make the folder {}", folder.display()), error };

@@ -2,12 +2,14 @@
 
 use super::carrier_screws::CarrierScrews;
 use super::fragments::instead;
-use super::mount::{BATTERY_REAR, COMPUTER_SCREWS, EXTRAS, FOOT_SCREWS, FPV_TILT, HEX_KEY, TIES};
+use super::mount::{BATTERY_REAR, COMPUTER_SCREWS, EXTRA_LEADS, EXTRAS, FOOT_SCREWS, FPV_TILT, HEX_KEY, LOOSE, TIES};
 use crate::frame::assembly::Design;
 use crate::frame::assembly::cables::unconnected;
 use crate::params::Frame;
 use crate::params::frame::Extra;
 
+/// The extra that stands for wires and small parts, whose pieces have steps of their own.
+const WIRING: &str = "wiring";
 /// How far the battery's rear may be off the lid's where both count as flush, mm.
 const FLUSH_MM: f64 = 0.05;
 
@@ -22,6 +24,8 @@ pub(super) fn figures(design: &Design) -> Vec<(&'static str, String)> {
         (TIES, ties_told(design)),
         (FPV_TILT, format!("{:.0}", design.frame.accessories.fpv_tilt_deg)),
         (EXTRAS, extras_told(design)),
+        (EXTRA_LEADS, extra_leads(&design.frame)),
+        (LOOSE, loose_told(design)),
     ]
 }
 
@@ -35,11 +39,38 @@ fn hex_key(frame: &Frame) -> String {
     key.map_or_else(String::new, |[thread, key]| format!(" Socket heads of M{thread} take a hex key of {key} mm."))
 }
 
+/// What is laid onto the hub and held by the ties, by its body.
+const LAID: [&str; 2] = ["pi_carrier", "accessory_plate"];
+
+/// What is laid onto the hub, where something is.
+fn laid(design: &Design) -> Option<&'static str> {
+    LAID.into_iter().find(|name| design.bodies.iter().any(|body| body.name == *name))
+}
+
+/// The sentence about what falls off the hub when it is turned over.
+fn loose_told(design: &Design) -> String {
+    laid(design).map_or_else(String::new, |name| {
+        format!(
+            "The {} and what is on it are loose until the ties: tape them to the hub before you turn it over. ",
+            spaced(name).replace("pi ", "")
+        )
+    })
+}
+
+/// What a frame file lists as extra and takes no board's place, in a row of what may be soldered to a board.
+fn extra_leads(frame: &Frame) -> String {
+    let names: Vec<String> = frame
+        .built_in_extras()
+        .filter(|(name, extra)| *name != WIRING && frame.replaced(extra).next().is_none())
+        .map(|(name, _)| spaced(name))
+        .collect();
+    if names.is_empty() { String::new() } else { format!(", and for what the frame's file lists as extra ({})", names.join(", ")) }
+}
+
 /// The sentences about the holes that ties go through.
 fn ties_told(design: &Design) -> String {
     let of_bracket = "Put two ties through the holes of hub and bracket, {in front and at the rear}, and out by the bracket's slots";
-    let laid = ["pi_carrier", "accessory_plate"].into_iter().find(|name| design.bodies.iter().any(|body| body.name == *name));
-    let told = match laid {
+    let told = match laid(design) {
         None => format!("{of_bracket}. "),
         Some("pi_carrier") => format!(
             "{of_bracket}; two through the hub's holes {{left and right}}. All four go through the carrier, too: the two in front and at the rear \
@@ -61,7 +92,8 @@ fn extras_told(design: &Design) -> String {
         let name = spaced(name);
         if replaced.is_empty() { name } else { format!("{name} (for the {replaced})") }
     };
-    let names: Vec<String> = frame.built_in_extras().filter(|(_, extra)| !is_told_before(frame, extra)).map(named).collect();
+    let is_told_here = |(name, extra): &(&String, &Extra)| *name != WIRING && !is_told_before(frame, extra);
+    let names: Vec<String> = frame.built_in_extras().filter(is_told_here).map(named).collect();
     let listed = match names.is_empty() {
         true => String::new(),
         false => format!(" Fasten and connect what the frame's file lists as extra, as its maker says: {}.", names.join(", ")),

@@ -132,6 +132,10 @@ pub(super) const HEX_KEY: &str = "{hex_key}";
 
 /// In a mount's text: the sentences about what a frame file lists as extra.
 pub(super) const EXTRAS: &str = "{extras}";
+/// Of an extra whose leads are soldered before the stack closes.
+pub(super) const EXTRA_LEADS: &str = "{extra_leads}";
+/// That what lies on the hub is loose until the ties.
+pub(super) const LOOSE: &str = "{loose}";
 
 /// In a mount's text: the sentences about the screws that hold the computer, and about those through the feet of the camera's connectors.
 pub(super) const COMPUTER_SCREWS: &str = "{computer_screws}";

@@ -60,7 +60,8 @@ impl Subject<'_> {
     /// # Errors
     /// When its motion is lost.
     pub fn run(&self, at: [f64; 2], drop: LoggedDrop) -> Result<Response, ImpactError> {
-        let run = Run { longest_ms: IMPULSE_MS + 0.1, off_ground_ms: f64::INFINITY, ..Run::default() };
+        let longest_ms = IMPULSE_MS + 0.1;
+        let run = Run { longest_ms, longest_down_ms: longest_ms, off_ground_ms: f64::INFINITY, ..Run::default() };
         let impact = Impact::new(self.model, &self.numbers(at), drop.height_m, &run)?;
         let reading = impact.through(BANDWIDTH_HZ);
         let pairs = impact.moments.windows(2).zip(reading.windows(2)).filter(|(moment, _)| moment[1].t_ms <= IMPULSE_MS + 1e-9);

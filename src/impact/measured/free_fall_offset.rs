@@ -8,7 +8,7 @@ use super::record::{DropSet, Record};
 use super::session::Session;
 use super::spread::Spread;
 
-/// Least offset that is told, g. Below it falls and impacts are still found, and a session's zero is reported.
+/// Least offset that is told, g. Below it a session's zero is reported, and taken off what is compared.
 const LEAST_G: f64 = 0.3;
 /// An offset so near to -1 g is gravity that was taken off, g.
 const GRAVITY_G: f64 = 0.1;

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use super::fall_begin::fall_begin;
 use super::impact_speed_m_s;
 use super::record::Record;
 use crate::units::GRAVITY_M_S2;
@@ -10,11 +11,6 @@ use crate::units::GRAVITY_M_S2;
 pub const TRIGGER_G: f64 = 3.0;
 /// Length of the impact, s: the paper's drops have their peak within it, or hit twice.
 pub(super) const WINDOW_S: f64 = 0.025;
-/// Below this mean magnitude over [`FALL_SAMPLES`] a frame falls, g: held it feels 1 g, in free fall 0.3 g of noise.
-const FALL_G: f64 = 0.6;
-/// Time over which a fall is recognised, s, and the fewest samples of it.
-const FALL_S: f64 = 0.005;
-const FALL_SAMPLES: usize = 5;
 /// No fall is as short, s: from 2 mm. What is before the trigger is then no free fall, or its zero is off.
 const LEAST_FALL_S: f64 = 0.02;
 /// The last of the fall, from which the noise is estimated, s: the first may hold the release.
@@ -78,7 +74,7 @@ impl Impact {
             steps.sum::<f64>() * GRAVITY_M_S2
         };
         let (release, second_hit) = second_hit(record, trigger, window_end);
-        let (begin, seen) = fall(record, trigger);
+        let (begin, seen) = fall_begin(record, last_of_fall(record, trigger));
         let falling = begin..last_of_fall(record, trigger).max(begin);
         let last = falling.start.max(falling.end.saturating_sub(record.samples_in(NOISE_S)))..falling.end;
         Some(Self {
@@ -128,20 +124,6 @@ fn second_hit(record: &Record, trigger: usize, window_end: usize) -> (Option<usi
         }
     }
     (Some(last), None)
-}
-
-/// First sample of the free fall before the trigger, and whether its begin is in the record.
-fn fall(record: &Record, trigger: usize) -> (usize, bool) {
-    let count = record.samples_in(FALL_S).max(FALL_SAMPLES);
-    let mut begin = last_of_fall(record, trigger);
-    while begin >= count {
-        let before = begin - count..begin;
-        if before.map(|sample| record.size_g(sample)).sum::<f64>() > FALL_G * count as f64 {
-            return (begin, true);
-        }
-        begin -= 1;
-    }
-    (0, false)
 }
 
 /// The sample with which the fall ends before the ground may touch.

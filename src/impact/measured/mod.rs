@@ -19,6 +19,7 @@ mod drop_order;
 mod drop_table;
 mod encoding;
 mod fall;
+mod fall_begin;
 mod fall_drag;
 mod fall_length;
 mod file_format;

@@ -1,5 +1,6 @@
 //! Files of drops, each a name and its bytes.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use super::file_format::FileFormat;
@@ -37,6 +38,8 @@ pub(super) struct Read {
     remarks: Vec<Remark>,
     /// Whether its heights are those of measured speeds.
     has_speeds: bool,
+    /// Whether it is a table with a reading beyond the ends of the paper's logger: its sensor reads more, and an end is a reading as others.
+    reads_beyond: bool,
 }
 
 /// Records of a file in a folder of this name; a logger's file has frame and height from the folder's name.
@@ -55,7 +58,7 @@ pub(super) fn records(
         FileKind::Logger => {
             let no_height = || malformed(path, SourcePosition::Whole, Fault::NoHeight { folder: folder.into() });
             let record = logger::record(&bytes()?, label.ok_or_else(no_height)?, &format.calibration).map_err(refused)?;
-            Ok(Read { records: vec![record.turned_back(format.turn)], remarks: Vec::new(), has_speeds: false })
+            Ok(Read { records: vec![record.turned_back(format.turn)], remarks: Vec::new(), has_speeds: false, reads_beyond: false })
         }
         FileKind::Table => {
             let (records, aside) = table::records(&bytes()?, &source, label.as_ref(), &format.table).map_err(refused)?;
@@ -68,7 +71,7 @@ pub(super) fn records(
             let remark = |text: String| Remark { source: source.clone(), text };
             let records = records.into_iter().map(|record| record.turned_back(format.turn)).collect();
             let remarks = columns.into_iter().chain(rate).map(remark).collect();
-            Ok(Read { records, remarks, has_speeds: aside.has_speeds })
+            Ok(Read { records, remarks, has_speeds: aside.has_speeds, reads_beyond: aside.reads_beyond })
         }
     }
 }
@@ -76,14 +79,21 @@ pub(super) fn records(
 /// All records by frame and height, or the first refusal.
 pub(super) fn gathered(all: Vec<Result<Read, Malformed>>) -> Result<DropSet, Malformed> {
     let (mut records, mut of_speeds, mut remarks) = (Vec::new(), Vec::new(), Vec::new());
+    let mut beyond = BTreeSet::new();
     for read in all {
         let read = read?;
+        if read.reads_beyond {
+            beyond.extend(read.records.iter().map(|record| record.frame.clone()));
+        }
         if read.has_speeds { &mut of_speeds } else { &mut records }.extend(read.records);
         remarks.extend(read.remarks);
     }
     // Of all files together: each may hold one drop.
     speed_heights::grouped(&mut of_speeds);
     records.extend(of_speeds);
+    // As each may hold one drop, a frame's tables say together what its sensor reads.
+    let is_of_table = |record: &Record| FileKind::of(Path::new(&record.source)) == Some(FileKind::Table);
+    records.iter_mut().filter(|record| beyond.contains(&record.frame) && is_of_table(record)).for_each(|record| record.at_full_scale = 0);
     let mut set = DropSet::of(records, notes(&remarks));
     let shown = symptoms_and_heights(&set);
     set.notes.extend(shown);

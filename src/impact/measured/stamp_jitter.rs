@@ -11,6 +11,12 @@ use super::spread::Spread;
 /// Around a stamp that is late, a step, that before and that behind take as long as three even ones; around a lost sample, four.
 const AROUND_STEPS: f64 = 3.5;
 
+/// By how much a rounded step is off, in steps.
+const ROUNDED: f64 = 0.01;
+/// Fewest gaps that show how far apart they are, and the most samples between two that come of rounding: choices.
+const FEWEST_GAPS: usize = 4;
+const OFTEN: usize = 50;
+
 /// Uneven stamps in most records of tables.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StampJitter {
@@ -45,7 +51,18 @@ fn uneven(record: &Record) -> Option<[f64; 3]> {
     let around_s = Spread::of(gaps().map(|stamps| stamps[3] - stamps[0]))?.median;
     let largest_s = gaps().map(|stamps| stamps[2] - stamps[1]).fold(0.0, f64::max);
     let rate_hz = (record.len() - 1) as f64 / (record.t_s.last()? - record.t_s.first()?);
-    (around_s < AROUND_STEPS * step_s).then_some([largest_s, step_s, rate_hz])
+    (around_s < AROUND_STEPS * step_s || is_rounded(record, step_s)).then_some([largest_s, step_s, rate_hz])
+}
+
+/// Whether every so many samples a step is twice as long: stamps that are rounded to steps longer than the samples' own. Samples are lost less
+/// often, or less evenly.
+fn is_rounded(record: &Record, step_s: f64) -> bool {
+    let steps: Vec<f64> = record.t_s.windows(2).map(|stamps| stamps[1] - stamps[0]).collect();
+    let is_one_or_two = |step: &f64| [1.0, 2.0].iter().any(|count| (step / step_s - count).abs() < ROUNDED);
+    let gaps: Vec<usize> = (0..steps.len()).filter(|at| steps[*at] > GAP_STEPS * step_s).collect();
+    let apart: Vec<usize> = gaps.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    let (Some(least), Some(most)) = (apart.iter().min(), apart.iter().max()) else { return false };
+    apart.len() >= FEWEST_GAPS && *most <= OFTEN && most - least <= 1 && steps.iter().all(is_one_or_two)
 }
 
 impl fmt::Display for StampJitter {
@@ -84,5 +101,24 @@ mod tests {
         assert!((found.rate_hz - 1000.0).abs() < 5.0 && (found.gap_s - 1.6e-3).abs() < 1e-6, "{found:?}");
         assert_eq!(StampJitter::of(&set(0.0, false)), None);
         assert_eq!(StampJitter::of(&set(0.0, true)), None);
+    }
+
+    #[test]
+    fn planted_stamps_in_whole_milliseconds_are_told_from_lost_samples() {
+        let stamped = |rate_hz: f64, lost: fn(u32) -> bool| {
+            let mut text = "trial,height_m,t_s,accel_g\n".to_string();
+            for trial in 0..5 {
+                for at in (0..400_u32).filter(|at| !lost(*at)) {
+                    text += &format!("{trial},1,{:.3},0\n", (f64::from(at) * 1e3 / rate_hz).round() * 1e-3);
+                }
+            }
+            StampJitter::of(&read_bytes(&[("a.csv".into(), text.into_bytes())], &FileFormat::default()).expect("reads"))
+        };
+        for rate_hz in [700.0, 800.0, 900.0, 975.0] {
+            let found = stamped(rate_hz, |_| false).expect("is rounded");
+            assert!((found.rate_hz / rate_hz - 1.0).abs() < 0.01, "{found:?}");
+        }
+        assert_eq!(stamped(1000.0, |at| at % 97 == 0), None);
+        assert_eq!(stamped(1000.0, |at| [20, 33, 70, 71, 90, 180, 181, 300].contains(&at)), None);
     }
 }

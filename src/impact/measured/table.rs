@@ -110,6 +110,8 @@ pub(super) struct Aside {
     pub stamped_hz: Option<f64>,
     /// Whether heights are those of measured speeds, no two of which are the same.
     pub has_speeds: bool,
+    /// Whether a reading lies beyond the ends of the paper's logger.
+    pub reads_beyond: bool,
 }
 
 impl Builder<'_> {
@@ -137,8 +139,8 @@ impl Builder<'_> {
         let [x_g, y_g] = [axes[0], axes[1]].map(|reading| reading.unwrap_or(0.0));
         record.at_full_scale +=
             usize::from([x_g, y_g, accel_g].iter().zip(&self.ends_g).any(|(reading_g, ends_g)| is_at_end(*reading_g, ends_g)));
-        let [low_g, high_g] = self.ends_g[2];
-        self.reads_beyond |= accel_g.abs() > low_g.abs().max(high_g) + AT_END_G;
+        let is_beyond = |(reading_g, [low_g, high_g]): (&f64, &[f64; 2])| reading_g.abs() > low_g.abs().max(*high_g) + AT_END_G;
+        self.reads_beyond |= [x_g, y_g, accel_g].iter().zip(&self.ends_g).any(is_beyond);
         record.accel_g.push(accel_g - zero_g[2]);
         if let ([Some(x), Some(y), z], Some(all)) = (axes, &mut record.axes_g) {
             for ((axis, value), zero_g) in all.iter_mut().zip([x, y, z.unwrap_or(accel_g)]).zip(zero_g) {
@@ -280,12 +282,10 @@ pub(super) fn records(bytes: &[u8], source: &str, label: Option<&Label>, format:
         return Err((SourcePosition::Whole, Fault::Empty));
     }
     builder.one_height_each().map_err(|fault| (SourcePosition::Whole, fault))?;
-    if builder.reads_beyond {
-        builder.records.iter_mut().for_each(|record| record.at_full_scale = 0);
-    }
     let stamped_hz = Spread::of(builder.stamps.values().filter_map(Stamps::rate_hz)).map(|spread| spread.median);
     let has_speeds = builder.header.height.is_none() && builder.header.speed.is_some();
-    Ok((builder.records, Aside { columns: builder.header.others, stamped_hz, has_speeds }))
+    let reads_beyond = builder.reads_beyond;
+    Ok((builder.records, Aside { columns: builder.header.others, stamped_hz, has_speeds, reads_beyond }))
 }
 
 /// What the reader refuses, with its line among those of the table.

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
+use super::free_fall::lasting_s;
 use super::impact::Impact;
 use super::record::{DropSet, Record};
 use super::session::{Session, mean_in_fall};
@@ -12,6 +13,8 @@ use super::spread::Spread;
 const AXIAL: usize = 2;
 /// Before the trigger the ground may touch already, s: a choice.
 const TOUCH_S: f64 = 0.004;
+/// A record that begins so much of a fall before the trigger may hold the frame before it fell: a choice.
+const WHOLE: f64 = 0.9;
 /// Fewest samples before that, and fewest drops: a choice.
 const FEWEST: usize = 3;
 const FEWEST_DROPS: usize = 5;
@@ -59,7 +62,8 @@ impl UnknownZero {
 /// Mean reading along the axis before the ground may touch, g.
 fn before_touch_g(record: &Record, impact: &Impact) -> Option<f64> {
     let readings = &record.accel_g[..impact.trigger.checked_sub(record.samples_in(TOUCH_S))?];
-    (readings.len() >= FEWEST).then(|| readings.iter().sum::<f64>() / readings.len() as f64)
+    let is_in_the_fall = record.t_s[impact.trigger] - record.t_s[0] < WHOLE * lasting_s(record.height_m);
+    (is_in_the_fall && readings.len() >= FEWEST).then(|| readings.iter().sum::<f64>() / readings.len() as f64)
 }
 
 impl fmt::Display for UnknownZero {

@@ -127,6 +127,8 @@ fn record(
     SyntheticRecord { trial, height_m, t_s, accel_g: readings, lateral_g, stalled: false }
 }
 
+/// By the height in whole centimetres, or as it is stated where it is none: two heights of a plan have different names.
 fn name(height_m: f64, trial: usize) -> String {
-    format!("{:03.0}cm-{trial:04}", height_m * 100.0)
+    let cm = height_m * 100.0;
+    if (cm - cm.round()).abs() < 1e-6 { format!("{cm:03.0}cm-{trial:04}") } else { format!("{height_m}m-{trial:04}") }
 }

@@ -5,4 +5,4 @@ pub(in crate::mechanics) mod joint_plans;
 pub mod parts_plan;
 pub mod plan;
 pub mod section;
-pub mod torsion;
+pub mod warping;

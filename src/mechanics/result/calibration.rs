@@ -19,8 +19,10 @@ pub struct Calibration {
     pub settings: MechanicsSettings,
     /// Interval of 95 % from the scatter of the points about the curve, MPa.
     pub interval_mpa: [f64; 2],
-    /// Root mean square of force misfits, N, over all points.
+    /// Root mean square of force misfits, N, over the points that count.
     pub rms_n: f64,
+    /// How many points count: those that are not at rest.
+    pub points: usize,
     /// Curve at that modulus.
     pub curve: StaticCurve,
 }
@@ -70,10 +72,10 @@ const STEPS: usize = 8;
 /// A test that goes less far than this is one in metres, mm.
 const LEAST_MM: f64 = 0.1;
 
-/// Misfit of a curve to points, N: root mean square.
+/// Misfit of a curve to the points that it reaches, N: root mean square. `None` where it reaches none.
 pub fn rms_n(curve: &StaticCurve, measured: &[Measured]) -> Option<f64> {
-    let squares: Option<Vec<f64>> = measured.iter().map(|[x, f]| curve.force_n(*x).map(|model| (model - f) * (model - f))).collect();
-    squares.map(|squares| (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt())
+    let squares: Vec<f64> = measured.iter().filter_map(|[x, f]| curve.force_n(*x).map(|model| (model - f) * (model - f))).collect();
+    (!squares.is_empty()).then(|| (squares.iter().sum::<f64>() / squares.len() as f64).sqrt())
 }
 
 /// The modulus with which the curve comes nearest to the points. Force goes with the modulus but for the rods' share, so that
@@ -124,7 +126,7 @@ pub fn calibrate(
             let interval_mpa = [-share, share].map(|share| settings.young_mpa * libm::exp(share));
             settings = settings.with_band(interval_mpa);
             settings.tensile_mpa = design.frame.flexible.material.tensile_modulus_mpa;
-            return Ok(Calibration { settings, interval_mpa, rms_n, curve });
+            return Ok(Calibration { settings, interval_mpa, rms_n, points: measured.len(), curve });
         }
         settings.young_mpa *= ratio;
         if !(YOUNG_MPA[0]..=YOUNG_MPA[1]).contains(&settings.young_mpa) {

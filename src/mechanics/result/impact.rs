@@ -24,6 +24,8 @@ pub struct Run {
     pub substeps: usize,
     /// Longest time, ms.
     pub longest_ms: f64,
+    /// Longest time while the frame still comes down, ms: a heavy one takes longer, and before it turns back it has neither peak nor travel.
+    pub longest_down_ms: f64,
     /// How long the feet have to be in the air for the contact to have ended, ms.
     pub off_ground_ms: f64,
     /// How far the frame is turned about X, then about Y, when it touches. Other than none needs the whole frame.
@@ -48,7 +50,7 @@ impl Run {
 
 impl Default for Run {
     fn default() -> Self {
-        Self { step_ms: 0.1, substeps: 1, longest_ms: 40.0, off_ground_ms: 1.0, tilt: [Angle::rad(0.0); 2] }
+        Self { step_ms: 0.1, substeps: 1, longest_ms: 40.0, longest_down_ms: 400.0, off_ground_ms: 1.0, tilt: [Angle::rad(0.0); 2] }
     }
 }
 
@@ -155,7 +157,7 @@ impl Impact {
         let start = motion.energies();
         let mut impact = Self::begun(height_m, speed_m_s, first, start);
         let mut left_ms = None;
-        while motion.t_ms < run.longest_ms - 1e-9 {
+        while motion.t_ms < run.longest_ms - 1e-9 || (motion.t_ms < run.longest_down_ms - 1e-9 && rising(model, &motion) <= 0.0) {
             for _ in 0..run.substeps {
                 motion.advance(run.step_ms / run.substeps as f64)?;
             }
@@ -201,7 +203,7 @@ impl Impact {
         self.moments.push(Moment { t_ms: motion.t_ms, down_mm, up_m_s, proper_g, ground_n });
         self.centre.push(centre(model, &motion.state));
         self.watch_rods(model, &motion.state);
-        let zones = zones(model, &motion.state);
+        let zones = zones(model, &motion.state, &motion.stored());
         self.watch_strains(&zones);
         if self.moments.len() % 10 == 1 {
             self.states.push((motion.t_ms, motion.state.clone()));
@@ -265,6 +267,11 @@ impl Impact {
     /// Largest way down of the payload, mm.
     pub fn travel_mm(&self) -> f64 {
         self.moments.iter().map(|moment| moment.down_mm).fold(0.0, f64::max)
+    }
+
+    /// Whether the payload has turned back: before, its peak and travel are not known.
+    pub fn has_turned_back(&self) -> bool {
+        self.moments.last().is_some_and(|moment| moment.up_m_s >= 0.0) || self.contact_ms.is_some()
     }
 
     /// The proper acceleration behind a first-order low-pass, g, moment by moment.

@@ -60,6 +60,14 @@ pub enum PredictionError {
     /// The drop.
     #[error(transparent)]
     Impact(#[from] ImpactError),
+    /// The drop has no peak and no travel yet.
+    #[error("dropped from {drop_m} m the frame still comes down after {after_ms:.0} ms")]
+    StillComesDown {
+        /// Height of the design drop, m.
+        drop_m: f64,
+        /// Where the computation ends, ms.
+        after_ms: f64,
+    },
     /// Nothing is known of the stiffness.
     #[error("pressed down by {at_mm} mm the frame gives way, and its stiffness is that at {STIFFNESS_MM} mm")]
     GivesWay {
@@ -72,7 +80,7 @@ impl PredictionError {
     /// Whether the frame is to blame, which gives way under its loads, and not what is said of it.
     pub fn gives_way(&self) -> bool {
         match self {
-            Self::Curve(CurveError::Statics(_)) | Self::GivesWay { .. } => true,
+            Self::Curve(CurveError::Statics(_)) | Self::GivesWay { .. } | Self::StillComesDown { .. } => true,
             Self::Impact(error) => !matches!(error, ImpactError::Model(_)),
             Self::Curve(CurveError::Model(_)) => false,
         }
@@ -97,6 +105,9 @@ pub fn predict(design: &Design, masses: &MassTable, settings: &MechanicsSettings
     let secant_8_mm_n_mm = curve.secant_n_mm(STIFFNESS_MM).ok_or_else(|| PredictionError::GivesWay { at_mm: ends_mm() })?;
     let drop_m = settings.limits.drop_m;
     let impact = Impact::new(&model, settings, drop_m, &Run::default())?;
+    if let Some(last) = impact.moments.last().filter(|_| !impact.has_turned_back()) {
+        return Err(PredictionError::StillComesDown { drop_m, after_ms: last.t_ms });
+    }
     let strained = impact.strains.iter().max_by(|a, b| a.1.total_cmp(&b.1));
     Ok(Prediction {
         initial_n_mm: curve.initial_n_mm(),

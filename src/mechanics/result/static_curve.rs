@@ -105,7 +105,7 @@ impl StaticCurve {
             curve.points.push(CurvePoint { displacement_mm, force_n: load * copies, iterations: *iterations, unstable: *unstable });
             let last = (displacement_mm - to_mm).abs() < 1e-9;
             if last || inside_mm.iter().any(|d| (d - displacement_mm).abs() < 1e-9) {
-                let (zones, rods) = (zones(model, state), rod_forces(model, state));
+                let (zones, rods) = (zones(model, state, &model.system.energies(state)), rod_forces(model, state));
                 curve.inside.push(Inside { displacement_mm, zones, rods });
                 curve.states.push((displacement_mm, state.clone()));
             }

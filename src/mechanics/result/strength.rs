@@ -47,15 +47,15 @@ fn own(model: &FrameModel, state: &State, beam: usize) -> crate::mechanics::elem
     beam.stiffness * local
 }
 
-/// Energy and strain of every zone, the most energy first; links are left out.
-pub fn zones(model: &FrameModel, state: &State) -> Vec<ZoneState> {
-    let energies = model.system.energies(state);
+/// Energy and strain of every zone in a state, the most energy first; links are left out. `stored_mj` is the energy in each beam, then in each tie:
+/// at rest that of their springs, in an impact that of their relaxing branches, too.
+pub fn zones(model: &FrameModel, state: &State, stored_mj: &[f64]) -> Vec<ZoneState> {
     let copies = model.extent.copies();
     let mut of: BTreeMap<&'static str, (f64, Option<f64>)> = BTreeMap::new();
     for (at, tag) in model.tags.iter().enumerate().filter(|(_, tag)| tag.zone != LINKS) {
         let strain = (at < model.system.structure.beams.len()).then(|| strain(model, state, at));
         let entry = of.entry(tag.zone).or_default();
-        entry.0 += energies[at] * copies;
+        entry.0 += stored_mj[at] * copies;
         entry.1 = entry.1.into_iter().chain(strain).reduce(f64::max);
     }
     let all: f64 = of.values().map(|zone| zone.0).sum();

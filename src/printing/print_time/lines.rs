@@ -14,6 +14,11 @@ const MOVES_S: f64 = 0.7;
 /// Acceleration of usual printers, mm/s², and the speed that they change without it, mm/s.
 const ACCELERATION_MM_S2: f64 = 1000.0;
 const JERK_MM_S: f64 = 8.0;
+/// Beyond this walls are printed no faster, mm/s: what a longer way to each stop costs is more than what the speed gains. It is where the
+/// derivative of their time by the speed is 0.
+fn fastest_wall_mm_s() -> f64 {
+    (LINES * ACCELERATION_MM_S2 / CORNERS + JERK_MM_S * JERK_MM_S).sqrt()
+}
 /// Fastest first layer, and fastest short loop, mm/s.
 pub const SLOW_MM_S: f64 = 20.0;
 
@@ -54,8 +59,9 @@ impl Lines {
         let all_mm = shape.area_mm2 / self.spacing_mm;
         let walls_mm = (self.walls * shape.outline_mm).min(all_mm);
         let short_mm = walls_mm * shape.short_mm / shape.outline_mm;
-        let laid_s = (all_mm - short_mm) / speed_mm_s + short_mm / speed_mm_s.min(SLOW_MM_S);
-        let stop_s = (speed_mm_s - JERK_MM_S).max(0.0).powi(2) / (speed_mm_s * ACCELERATION_MM_S2);
+        let wall_mm_s = speed_mm_s.min(fastest_wall_mm_s());
+        let laid_s = (all_mm - walls_mm) / speed_mm_s + (walls_mm - short_mm) / wall_mm_s + short_mm / speed_mm_s.min(SLOW_MM_S);
+        let stop_s = (wall_mm_s - JERK_MM_S).max(0.0).powi(2) / (wall_mm_s * ACCELERATION_MM_S2);
         LINES * laid_s + CORNERS * walls_mm * stop_s + MOVES_S * shape.loops as f64
     }
 }
@@ -94,6 +100,19 @@ mod tests {
             let found = part_s(&block(80.0), material, &frame.printer).expect("speeds are stated") * flow_mm3_s / 80.0_f64.powi(3);
             assert!((1.045..1.09).contains(&found), "{found}");
         }
+    }
+
+    #[test]
+    fn analytic_a_faster_material_never_takes_longer() {
+        let mut frame = default_frame();
+        let part = Design::new(frame.clone()).expect("closes").printed.iter().map(|part| part.mesh.clone()).next().expect("has parts");
+        frame.rigid.material.most_flow_mm3_s = None;
+        let mut time = |speed_mm_s: f64| {
+            frame.rigid.material.speed_mm_s = Some(speed_mm_s);
+            part_s(&part, &frame.rigid.material, &frame.printer).expect("speeds are stated")
+        };
+        let times: Vec<f64> = [20.0, 30.0, 45.0, 55.0, 60.0, 90.0, 150.0, 300.0].into_iter().map(&mut time).collect();
+        assert!(times.windows(2).all(|pair| pair[1] < pair[0]), "{times:?}");
     }
 
     #[test]

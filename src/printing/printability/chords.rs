@@ -21,13 +21,15 @@ pub(super) struct Laid {
     pub loose_mm2: f64,
     /// Longest line that rests at both ends, mm.
     pub span_mm: f64,
+    /// How far from all support the farthest end of a loose line is, mm; 0 without any.
+    pub loose_reach_mm: f64,
 }
 
 /// The direction in which least is loose, and of those alike the one with the shortest lines.
 pub(super) fn best(hanging: &Region, support: &Region, line_mm: f64) -> Laid {
     let (hanging, support) = (hanging.simplified(WITHIN_MM).contours(), support.simplified(WITHIN_MM).contours());
     let laid = (0..(180.0 / STEP_DEG) as usize).map(|step| laid(&hanging, &support, Angle::deg(step as f64 * STEP_DEG), line_mm));
-    let none = Laid { loose_mm2: f64::INFINITY, span_mm: 0.0 };
+    let none = Laid { loose_mm2: f64::INFINITY, span_mm: 0.0, loose_reach_mm: f64::INFINITY };
     laid.fold(none, |best, laid| {
         let slack = 0.02 * best.loose_mm2.min(laid.loose_mm2) + 0.01;
         let alike = (laid.loose_mm2 - best.loose_mm2).abs() <= slack;
@@ -47,7 +49,8 @@ fn laid(hanging: &Contours, support: &Contours, direction: Angle, line_mm: f64) 
     let [low, high] = [heights().fold(f64::INFINITY, f64::min), heights().fold(f64::NEG_INFINITY, f64::max)];
     let lines = ((high - low) / line_mm).ceil().clamp(FEWEST_LINES, MOST_LINES);
     let spacing = (high - low) / lines;
-    let mut laid = Laid { loose_mm2: 0.0, span_mm: 0.0 };
+    let edges = edges(&support);
+    let mut laid = Laid { loose_mm2: 0.0, span_mm: 0.0, loose_reach_mm: 0.0 };
     for line in 0..lines as usize {
         let y = low + (line as f64 + 0.5) * spacing;
         let under = crossings(&support, y);
@@ -58,6 +61,8 @@ fn laid(hanging: &Contours, support: &Contours, direction: Angle, line_mm: f64) 
                 laid.span_mm = laid.span_mm.max(length);
             } else {
                 laid.loose_mm2 += length * spacing;
+                let reach_mm = ends.iter().map(|x| nearest_mm(&[*x, y], &edges)).fold(0.0, f64::max);
+                laid.loose_reach_mm = laid.loose_reach_mm.max(reach_mm);
             }
         }
     }
@@ -66,16 +71,23 @@ fn laid(hanging: &Contours, support: &Contours, direction: Angle, line_mm: f64) 
 
 /// The distance of the corner of what hangs that is farthest from all support, mm; endless without any.
 pub(super) fn farthest_mm(hanging: &Region, support: &Region) -> f64 {
-    let support = support.contours();
-    let edges: Vec<[[f64; 2]; 2]> = support.iter().flat_map(|c| c.iter().enumerate().map(|(i, a)| [*a, c[(i + 1) % c.len()]])).collect();
-    let to_edge = |p: &[f64; 2], [a, b]: &[[f64; 2]; 2]| {
+    let edges = edges(&support.contours());
+    hanging.contours().iter().flatten().map(|p| nearest_mm(p, &edges)).fold(0.0, f64::max)
+}
+
+fn edges(contours: &Contours) -> Vec<[[f64; 2]; 2]> {
+    contours.iter().flat_map(|c| c.iter().enumerate().map(|(i, a)| [*a, c[(i + 1) % c.len()]])).collect()
+}
+
+/// The distance of a point from the nearest edge, mm; endless without any.
+fn nearest_mm(p: &[f64; 2], edges: &[[[f64; 2]; 2]]) -> f64 {
+    let to_edge = |[a, b]: &[[f64; 2]; 2]| {
         let (along, from) = ([b[0] - a[0], b[1] - a[1]], [p[0] - a[0], p[1] - a[1]]);
         let length = along[0] * along[0] + along[1] * along[1];
         let t = if length > 0.0 { ((along[0] * from[0] + along[1] * from[1]) / length).clamp(0.0, 1.0) } else { 0.0 };
         libm::hypot(from[0] - t * along[0], from[1] - t * along[1])
     };
-    let nearest = |p: &[f64; 2]| edges.iter().map(|edge| to_edge(p, edge)).fold(f64::INFINITY, f64::min);
-    hanging.contours().iter().flatten().map(nearest).fold(0.0, f64::max)
+    edges.iter().map(to_edge).fold(f64::INFINITY, f64::min)
 }
 
 /// Where a line of the first axis at y crosses the contours, in order: in, out, in, out.

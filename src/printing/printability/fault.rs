@@ -24,8 +24,10 @@ impl Hanging {
             Some(Fault::Island)
         } else if self.bridged {
             (self.span_mm > process.bridge_mm).then_some(Fault::Bridge)
+        } else if self.overhang_mm(process) > process.ledge_mm {
+            Some(Fault::Overhang)
         } else {
-            (self.overhang_mm(process) > process.ledge_mm).then_some(Fault::Overhang)
+            (self.span_mm > process.bridge_mm).then_some(Fault::Bridge)
         }
     }
 

@@ -18,6 +18,9 @@ pub(super) struct Layers {
     hanging: Vec<usize>,
 }
 
+/// A layer is cut this much above its middle, mm: facets that lie exactly there belong to the layer below then, and to no cut.
+const ABOVE_MM: f64 = 7e-4;
+
 impl Layers {
     /// The layers that hang over those below by a facet that leans out of the vertical by more than an angle with this sine; each with the one below.
     pub fn hanging_over(solid: &MeshSolid, mesh: &Mesh, layer_mm: f64, least_sine: f64) -> Self {
@@ -32,15 +35,17 @@ impl Layers {
             let heights = corners.map(|c| c.z);
             let (low, high) = heights.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), z| (low.min(*z), high.max(*z)));
             // The facet lies between the middles of these layers and of those below them.
-            let [first, last] = [low, high].map(|z| (z / layer_mm + 0.5).floor().max(0.0) as usize);
+            let [first, last] = [low, high].map(|z| ((z - ABOVE_MM) / layer_mm + 0.5).floor().max(0.0) as usize);
             hangs.iter_mut().take(last + 1).skip(first).for_each(|hangs| *hangs = true);
         }
         let hanging: Vec<usize> = (1..count).filter(|at| hangs[*at]).collect();
         let mut wanted: Vec<usize> = hanging.iter().flat_map(|at| [at - 1, *at]).collect();
         wanted.sort_unstable();
         wanted.dedup();
-        let cuts =
-            wanted.into_par_iter().map(|at| (at, solid.slice((at as f64 + 0.5) * layer_mm).simplified(WITHIN_MM))).collect::<Vec<_>>();
+        let cuts = wanted
+            .into_par_iter()
+            .map(|at| (at, solid.slice((at as f64 + 0.5) * layer_mm + ABOVE_MM).simplified(WITHIN_MM)))
+            .collect::<Vec<_>>();
         Self { layer_mm, cuts: cuts.into_iter().collect(), hanging }
     }
 

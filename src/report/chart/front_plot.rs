@@ -5,18 +5,18 @@ use std::ops::Range;
 use plotters::prelude::*;
 
 use super::plot::{self, Area, Chart, Drawn, FONT, PlotError, Words, axes, colour, titled};
-use crate::variant::Measure;
+use crate::study::Column;
 
 /// Every plot, path and bytes: of points in two or three goals. The name is that of the frame, or of the study.
 ///
 /// # Errors
 /// When one cannot be drawn.
-pub fn plots(goals: &[&Measure], points: &[&[f64]], name: &str) -> Result<Vec<(String, Vec<u8>)>, PlotError> {
+pub fn plots(goals: &[Column], points: &[&[f64]], name: &str) -> Result<Vec<(String, Vec<u8>)>, PlotError> {
     Ok(plot::files("pareto", &FrontChart { goals, points, name })?.into())
 }
 
 struct FrontChart<'a> {
-    goals: &'a [&'a Measure],
+    goals: &'a [Column],
     points: &'a [&'a [f64]],
     name: &'a str,
 }
@@ -43,7 +43,7 @@ impl FrontChart<'_> {
 
 impl Chart for FrontChart<'_> {
     fn draw<B: DrawingBackend>(&self, area: &Area<B>) -> Drawn<B> {
-        let goal = |at: usize| format!("{}, {}", self.goals[at].name, self.goals[at].unit);
+        let goal = |at: usize| self.goals[at].with_unit();
         let third = if self.goals.len() > 2 { format!(", with {}", goal(2)) } else { String::new() };
         let title = format!("{}: frames that none beats{third}", self.name);
         let (across, up) = (goal(0), goal(1));
@@ -57,7 +57,7 @@ impl Chart for FrontChart<'_> {
             let at = (point[0], point[1]);
             chart.draw_series([Circle::new(at, 6, self.tone(point).filled())])?;
             if let Some(value) = point.get(2) {
-                let figure = self.goals[2].reported(Some(*value));
+                let figure = self.goals[2].reported(*value);
                 chart.draw_series([EmptyElement::at(at) + Text::new(figure, (8, -8), (FONT, 15))])?;
             }
         }

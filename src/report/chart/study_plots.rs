@@ -5,7 +5,6 @@ use super::index_bars::IndexBars;
 use super::parallel::{Kind, Parallel};
 use super::plot::{self, PlotError};
 use crate::study::{Axis, Column, Indices, Input, Outcomes, Study};
-use crate::variant::{Measure, measure};
 
 /// Every plot, path and bytes: `front` are the rows that none beats with the figures of these goals, `indices` those of some of the
 /// columns.
@@ -22,9 +21,9 @@ pub fn plots(
     let mut files = Vec::new();
     // The rows that are best in one goal alone are no front to draw.
     if !front.is_empty() && goals.len() > 1 {
-        let measures: Vec<&Measure> = goals.iter().filter_map(|name| measure(name)).collect();
+        let columns: Vec<Column> = goals.iter().filter_map(|name| column(study, name)).map(|at| study.columns[at]).collect();
         let points: Vec<&[f64]> = front.iter().map(|(_, figures)| &figures[..]).collect();
-        files.extend(front_plot::plots(&measures, &points, &study.name)?);
+        files.extend(front_plot::plots(&columns, &points, &study.name)?);
     }
     let frames = frames(study, outcomes, goals, front);
     if !frames.is_empty() {
@@ -46,8 +45,13 @@ fn names(study: &Study, goals: &[String]) -> Vec<String> {
     let with_unit = |name: String, unit: &str| if unit.is_empty() { name } else { format!("{name}, {unit}") };
     let is_number = |axis: &&Axis| !matches!(axis, Axis::Name { .. });
     let axes = study.axes.iter().filter(is_number).map(|axis| with_unit(without_unit(&bare_key(axis)), axis.unit()));
-    let goals = goals.iter().filter_map(|name| measure(name)).map(|measure| with_unit(measure.name.into(), measure.unit));
+    let goals = goals.iter().filter_map(|name| column(study, name)).map(|at| study.columns[at].with_unit());
     axes.chain(goals).collect()
+}
+
+/// The place of a column of this name.
+fn column(study: &Study, name: &str) -> Option<usize> {
+    study.columns.iter().position(|column| column.name() == name)
 }
 
 /// The key of an axis without its table.
@@ -60,8 +64,7 @@ fn without_unit(key: &str) -> String {
 }
 
 fn frames(study: &Study, outcomes: &Outcomes, goals: &[String], front: &[(usize, Vec<f64>)]) -> Vec<(Kind, Vec<f64>)> {
-    let at = |name: &String| study.columns.iter().position(|column| column.name() == *name);
-    let columns: Vec<usize> = goals.iter().filter_map(at).collect();
+    let columns: Vec<usize> = goals.iter().filter_map(|name| column(study, name)).collect();
     let counted = study.columns.iter().position(|column| matches!(column, Column::Violations));
     let frame = |row: usize| {
         let numbers = study.inputs(row).into_iter().filter_map(|input| match input {

@@ -167,8 +167,9 @@ const MOST_OPEN: f64 = 0.05;
 /// A drop whose contact goes on where the computation ends.
 fn not_ended(impact: &Impact) -> String {
     let last_ms = impact.moments.last().map_or(0.0, |moment| moment.t_ms);
+    let so_far = if impact.has_turned_back() { "" } else { ", and peak and travel are those so far" };
     format!(
-        "{} m: the feet are on the ground after {last_ms:.0} ms, where the computation ends: there is no rebound, and peak and travel are those so far\n",
+        "{} m: the feet are on the ground after {last_ms:.0} ms, where the computation ends: there is no rebound{so_far}\n",
         impact.height_m
     )
 }

@@ -23,7 +23,7 @@ pub struct Stiffness<'a> {
     pub modes: Option<&'a Modes>,
     /// Measured displacement, mm, and force, N.
     pub measured: &'a [[f64; 2]],
-    /// Misfit, N.
+    /// Misfit over the points that the curve reaches, N.
     pub rms_n: Option<f64>,
     /// Whether the modulus was fitted to what was measured.
     pub calibrated: bool,
@@ -101,6 +101,24 @@ pub fn curve_csv(found: &Stiffness) -> Result<String, ExportError> {
     csv("curve.csv", ["displacement_mm", "force_n", "low_n", "high_n", "unstable"], rows)
 }
 
+/// Measured and computed forces, where something was measured.
+fn comparison(found: &Stiffness) -> String {
+    if found.measured.is_empty() {
+        return String::new();
+    }
+    let force = |x: f64| found.curve.force_n(x);
+    let reached = found.measured.iter().filter(|[x, _]| force(*x).is_some()).count();
+    let rms = found.rms_n.map_or_else(String::new, |rms| format!(", rms {rms:.2} N"));
+    let mut text = format!("\n measured    model   of {reached} points{rms}\n");
+    for [x, f] in found.measured {
+        text += &format!("{f:>9.1} {:>8}   N at {x} mm\n", force(*x).map_or_else(|| "-".into(), |model| format!("{model:.1}")));
+    }
+    if reached < found.measured.len() {
+        text += &format!("{} points lie beyond the end of the curve\n", found.measured.len() - reached);
+    }
+    text
+}
+
 /// What a person reads.
 pub fn table(found: &Stiffness) -> String {
     let (curve, settings) = (found.curve, found.settings);
@@ -126,12 +144,7 @@ pub fn table(found: &Stiffness) -> String {
     if let Some(words) = found.gap_words() {
         text += &format!("{words}\n");
     }
-    if let Some(rms) = found.rms_n {
-        text += &format!("\n measured    model   of {} points, rms {rms:.2} N\n", found.measured.len());
-        for [x, f] in found.measured {
-            text += &format!("{f:>9.1} {:>8.1}   N at {x} mm\n", curve.force_n(*x).unwrap_or(f64::NAN));
-        }
-    }
+    text += &comparison(found);
     if let Some((reference, ratios)) = found.ratios {
         text += &format!("\nover {reference}, and between what when each guess is half or twice\n");
         for Ratio { displacement_mm, ratio, band: [low, high] } in ratios {

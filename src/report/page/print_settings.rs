@@ -104,10 +104,11 @@ fn material(text: &mut String, design: &Design, plates: &[Plate], name: &str) {
             parts.join(", ")
         );
     }
-    let _ = write!(
-        text,
-        "\nTimes are estimates, within 15 % of PrusaSlicer's; heating, cooling and support come on top. Filament is that of the parts as they weigh, 1.75 mm thick.\n"
-    );
+    let times = match own.iter().all(|plate| plate.print_s(design).is_some()) {
+        true => "Times are estimates, up to 60 mm/s within 15 % of PrusaSlicer's; heating, cooling and support come on top.",
+        false => "No time is known: the material states no speed_mm_s, or layers that are too high for the nozzle's lines.",
+    };
+    let _ = write!(text, "\n{times} Filament is that of the parts as they weigh, 1.75 mm thick.\n");
     as_filled(text, material, own.iter().map(|plate| plate.volume_mm3(&design.printed)).sum());
     price(text, name, material);
     if name == design.frame.flexible.name {

@@ -71,6 +71,7 @@ fn verdict(page: &mut String, findings: &[Finding]) {
     if !broken.is_empty() || !warnings.is_empty() {
         page.push('\n');
     }
+    page.push_str("The design drop was not simulated for this page: `flexframe check --strength` does it.\n\n");
 }
 
 /// What changes a finding, as the end of its sentence.

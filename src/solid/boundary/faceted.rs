@@ -32,12 +32,17 @@ impl Boundary {
         }
     }
 
+    fn has_arcs(&self, face: &Face) -> bool {
+        face.loops.iter().flatten().any(|side| !matches!(self.edges[side.edge].curve, Curve::Line))
+    }
+
     /// Whether a face's loops do not bound one piece of its surface: they meet in a vertex, or cross.
     pub(super) fn is_torn(&self, face: &Face) -> bool {
         let outer = face.loops.iter().filter(|sides| self.loop_area_mm2(face, sides) > 0.0).count();
         !self.meets_itself_in(face).is_empty()
             || outer != 1
             || self.touches_itself(face)
-            || face.loops.len() > 1 && self.crosses_itself(face)
+            // A single loop of chords bounds what its facets are; an arc in it may pass over a straight side.
+            || (face.loops.len() > 1 || self.has_arcs(face)) && self.crosses_itself(face)
     }
 }

@@ -38,8 +38,16 @@ export class EngineClient {
   constructor(readonly name: string) {}
 
   ask<T>(request: object, files: Attached = {}, onStage?: (stage: Stage) => void): Promise<Answered<T>> {
-    const id = ++this.#last;
-    const question: Question = { id, request, files };
+    return this.#asked({ id: ++this.#last, request, files }, onStage);
+  }
+
+  /** As `ask`; several files come as one ZIP, which is packed where it holds up nothing that is shown. */
+  askPacked<T>(request: object): Promise<Answered<T>> {
+    return this.#asked({ id: ++this.#last, request, files: {}, zip: true });
+  }
+
+  #asked<T>(question: Question, onStage?: (stage: Stage) => void): Promise<Answered<T>> {
+    const { id } = question;
     return new Promise<Answered<T>>((resolve, reject) => {
       this.#waiting.set(id, { resolve: resolve as Waiting["resolve"], reject, onStage });
       this.busy.value = this.#waiting.size;

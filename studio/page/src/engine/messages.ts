@@ -6,8 +6,11 @@ export type { EngineFile, Refusal, Stage };
 /** Files of a request: a path and its text or bytes. */
 export type Attached = Record<string, Uint8Array | string>;
 
-/** To the worker, after the module. */
-export type Question = { id: number; request: object; files: Attached };
+/** To the worker, after the module. With `zip`, several files of the answer come as one ZIP. */
+export type Question = { id: number; request: object; files: Attached; zip?: boolean };
+
+/** Path of that ZIP. */
+export const PACKED = "files.zip";
 
 /** To the worker, once: what it runs. */
 export type Start = { module: WebAssembly.Module };

@@ -1,11 +1,18 @@
 // One engine in a worker. It answers questions in the order in which they come; a request cannot be interrupted.
 import { Engine } from "../../../engine.mjs";
-import type { Message, Question, Start } from "./messages.ts";
+import { type EngineFile, type Message, PACKED, type Question, type Start } from "./messages.ts";
+import { zipped } from "./zipped.ts";
 
 const post = (message: Message, transfer: Transferable[] = []) => self.postMessage(message, { transfer });
 let current = 0;
 
-function answer(engine: Engine, { id, request, files }: Question): void {
+/** Files of one answer are views of one buffer: copied, or packed, so that each can be handed over alone. */
+function handed(files: EngineFile[], zip: boolean): EngineFile[] {
+  if (zip && files.length > 1) return [{ path: PACKED, bytes: zipped(files) }];
+  return files.map(({ path, bytes }) => ({ path, bytes: bytes.slice() }));
+}
+
+function answer(engine: Engine, { id, request, files, zip = false }: Question): void {
   current = id;
   const begun = performance.now();
   try {
@@ -14,8 +21,7 @@ function answer(engine: Engine, { id, request, files }: Question): void {
       post({ kind: "refused", id, refused: reply.refused });
       return;
     }
-    // Files of one answer are views of one buffer: copied, so that each can be handed over alone.
-    const copies = (reply.files ?? []).map(({ path, bytes }) => ({ path, bytes: bytes.slice() }));
+    const copies = handed(reply.files ?? [], zip);
     const ms = performance.now() - begun;
     post(
       { kind: "answer", id, answer: reply.answer, files: copies, ms },

@@ -1,6 +1,5 @@
 // Files to take away: what the engine makes, to the last byte, alone or in a ZIP.
-import { zipSync } from "fflate";
-import type { EngineFile } from "../engine/messages.ts";
+import { type EngineFile, PACKED } from "../engine/messages.ts";
 import type { Doc } from "./doc.ts";
 import { checker, current, doc, whenTaken } from "./studio.ts";
 
@@ -43,16 +42,11 @@ export async function made(which: string[], of: Doc): Promise<EngineFile[]> {
 /** Makes files and saves them: one alone, several as a ZIP. */
 export async function download(which: string[], zipName = which.join("-")): Promise<void> {
   const of = await asChanged();
-  const files = await made(which, of);
-  const only = files.length === 1 ? files[0] : undefined;
-  if (only) save(`${of.name}-${only.path.split("/").at(-1)}`, only.bytes);
-  else if (files.length > 0) save(`${of.name}-${zipName}.zip`, zipped(files));
-}
-
-/** A ZIP with the paths of the program's folder; the same files give the same bytes. */
-export function zipped(files: EngineFile[]): Uint8Array<ArrayBuffer> {
-  const entries = Object.fromEntries(files.map(({ path, bytes }) => [path, bytes]));
-  return zipSync(entries, { level: 6, mtime: new Date(1980, 0, 1) }) as Uint8Array<ArrayBuffer>;
+  const { handle } = await current.opened(of);
+  const [made] = (await checker.askPacked({ do: "files", handle, which })).files;
+  if (!made) return;
+  const last = made.path.split("/").at(-1);
+  save(`${of.name}-${last === PACKED ? `${zipName}.zip` : last}`, made.bytes);
 }
 
 export async function saveText(): Promise<void> {
