@@ -20,6 +20,7 @@ use crate::frame::assembly::mass;
 use crate::mechanics::settings::MechanicsSettings;
 use crate::memo::Memo;
 use crate::params::frame_file::read_source;
+use crate::params::refusal::nearest;
 use crate::params::{Frame, FrameFile, LoadError, is_of_machine};
 use crate::workspace::advice;
 
@@ -115,8 +116,21 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     say(args, common, &outcomes)?;
     if let (Some(list), Some(path)) = (&baseline, &args.baseline) {
         for done in acceptance::no_longer_failing(list, &outcomes, args.mechanics.strength) {
-            let line =
-                format!("note: {}: {} of {} no longer fails; remove it from {}", done.frame, done.rule, done.subject, path.display());
+            let meant = nearest(&done.rule, checks::CATALOGUE.iter().map(|rule| rule.id));
+            let line = match checks::CATALOGUE.iter().any(|rule| rule.id == done.rule) {
+                true => {
+                    format!("note: {}: {} of {} no longer fails; remove it from {}", done.frame, done.rule, done.subject, path.display())
+                }
+                false => {
+                    let meant = meant.first().map(|id| format!(" (did you mean `{id}`?)")).unwrap_or_default();
+                    format!(
+                        "note: {}: there is no rule `{}`{meant}; its entry in {} accepts nothing",
+                        done.frame,
+                        done.rule,
+                        path.display()
+                    )
+                }
+            };
             terminal::tell(&line);
         }
         for (frame, judged, entry) in acceptance::accepted_of_another_file(list, &outcomes) {
@@ -176,7 +190,10 @@ fn baseline(args: &Args) -> Result<Option<Baseline>, Failure> {
     let Some(path) = args.baseline.as_ref().filter(|path| !args.update_baseline || path.exists()) else { return Ok(None) };
     let (_, source) = read_source(path.clone()).map_err(|error| no_list(path, error))?;
     let wrong = |error| Failure::Usage {
-        message: format!("{} is no list of accepted findings: {error}; remove it, and --update-baseline writes one", path.display()),
+        message: format!(
+            "{} is no list of accepted findings: {error}; mend it, or restore the last good one. Without a list --update-baseline writes one that accepts all that fails now",
+            path.display()
+        ),
     };
     // A list that is replaced still has to be one: the path may be a slip.
     Baseline::parse(&source.text).map(Some).map_err(wrong)

@@ -98,12 +98,10 @@ fn deformed_files(
     let failed = |error| Failure::Machine { what: "cannot write the animation".into(), error: std::io::Error::other(error) };
     let rest = bound.deformed(&whole.system.rest());
     let mut files = Vec::new();
-    let mut shapes = Vec::new();
-    for (down_mm, state) in &curve.states {
-        let bodies = bound.deformed(&whole.unfolded(quarter, state));
-        files.push((format!("pictures/down_{down_mm:02.0}_mm.png"), deformed_scene::picture(design, &bodies, View::Right)));
-        shapes.push(bodies);
-    }
+    let shapes: Vec<_> = curve.states.iter().map(|(_, state)| bound.deformed(&whole.unfolded(quarter, state))).collect();
+    let pictures = deformed_scene::pictures_on_ground(design, &shapes, View::Right);
+    files
+        .extend(curve.states.iter().zip(pictures).map(|((down_mm, _), picture)| (format!("pictures/down_{down_mm:02.0}_mm.png"), picture)));
     // One shape after the other, and back.
     let count = shapes.len();
     let stops: Vec<usize> = (0..=count).chain((0..count).rev()).collect();

@@ -8,6 +8,7 @@ use super::roles::{HUNG, NEEDED};
 
 /// Checks every relation of what is bought.
 pub(super) fn hold(frame: &Frame) -> Result<(), BrokenRelation> {
+    small_parts(frame)?;
     motor_holes(frame)?;
     carried_camera(frame)?;
     accessories(frame)?;
@@ -139,6 +140,24 @@ fn stack(frame: &Frame) -> Result<(), BrokenRelation> {
         let message = format!("the holes of `{name}` are {along} x {across} mm apart, those of the hub's stack {pattern} x {pattern} mm");
         let remedy = "choose boards of one square pattern for flight_controller and motor_controller, or \"none\" for one of them; without stack_pattern_mm the hub follows the first".into();
         return Err(BrokenRelation { key, reason: Box::new(Reason::Impossible { message, remedy }) });
+    }
+    Ok(())
+}
+
+/// Parts of the kind "other", and whether they are straps: a strap holds no board, and what goes onto a thread ties nothing.
+const SMALL_PARTS: [(&str, bool); 4] =
+    [("bought.tie", true), ("bought.stack_nut", false), ("bought.stack_spacer", false), ("bought.damper", false)];
+
+fn small_parts(frame: &Frame) -> Result<(), BrokenRelation> {
+    for (key, is_strap) in SMALL_PARTS {
+        let Some(item) = frame.bought.get(role(key)) else { continue };
+        let wrong = if is_strap { item.part.thread_mm.is_some() } else { item.part.strap_mm.is_some() };
+        if wrong {
+            let what = if is_strap { "goes onto a thread" } else { "is a strap" };
+            let message = format!("`{key}` is `{}`, which {what} (`{}`)", item.name, if is_strap { "thread_mm" } else { "strap_mm" });
+            let remedy = format!("choose a {}; `flexframe list parts` lists them", role(key).trim_start_matches("stack_"));
+            return Err(BrokenRelation { key, reason: Box::new(Reason::Impossible { message, remedy }) });
+        }
     }
     Ok(())
 }

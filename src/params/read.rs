@@ -22,7 +22,30 @@ pub(super) fn stated_text(file: &FrameFile, key: &str) -> Result<String, Refusal
 
 /// An entry that does not read.
 pub(super) fn bad_entry(file: &FrameFile, key: &str, kind: &str, name: &str, message: &str) -> Refusal {
-    file.refuse(key, Reason::BadEntry { kind: kind.into(), name: name.into(), message: message.trim().into() })
+    file.refuse(key, Reason::BadEntry { kind: kind.into(), name: name.into(), message: in_words(message.trim()) })
+}
+
+/// What the reader of entries says, in the words of a frame file.
+fn in_words(message: &str) -> String {
+    let mut told = message.replace("unknown variant", "there is no");
+    for (typed, plain) in [
+        ("expected an array of length", "expected a list of numbers, as many as"),
+        ("expected a sequence", "expected a list, such as [\"battery\"]"),
+        ("invalid length", "a list of"),
+        ("invalid type: string", "a text,"),
+        ("invalid type: floating point", "a number,"),
+        ("invalid type: integer", "a number,"),
+        ("invalid type: boolean", "true or false,"),
+        ("invalid type: sequence", "a list"),
+        ("invalid type: map", "a table"),
+        ("expected a string", "expected a text"),
+        ("expected f64", "expected a number"),
+        ("expected u32", "expected a whole number"),
+        ("expected a boolean", "expected true or false"),
+    ] {
+        told = told.replace(typed, plain);
+    }
+    told
 }
 
 /// Refuses a name that is more than a line of text: it stands in tables and in logs, where a line may be a command.

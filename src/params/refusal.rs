@@ -211,6 +211,10 @@ impl Reason {
                 let kind = key.split('.').nth(1).unwrap_or_default();
                 keys_of(kind.strip_suffix('s').unwrap_or(kind)).into()
             }
+            Self::UnknownKey { key, nearest: n } if key.starts_with("bought.") => {
+                let meant = if n.is_empty() { String::new() } else { format!("{} ", nearest(n)) };
+                format!("{meant}{}; anything else is an entry of [extras]", known_names(ROLE))
+            }
             Self::UnknownKey { nearest: n, .. } => nearest(n),
             Self::Renamed { now, .. } => now.clone(),
             Self::UnknownName { kind, nearest: n, .. } if n.is_empty() => known_names(kind),
@@ -283,7 +287,10 @@ fn keys_of(kind: &str) -> &'static str {
         }
         "material" => "`flexframe schema materials` explains the keys",
         "printer" => "`flexframe schema printer` explains the keys",
-        _ => "`flexframe schema bought` explains the keys",
+        _ => {
+            "`flexframe schema bought` explains the keys, such as size_mm = [62, 26, 18]: length, width and height in mm, of the part as it lies; \
+             docs/frame-files.md has examples"
+        }
     }
 }
 
@@ -300,25 +307,28 @@ pub struct Refusal {
 /// Longest message, bytes: a file may hold a key of a million letters.
 const LONGEST_MESSAGE: usize = 600;
 
-/// A text with its middle left out where it is longer than a message may be.
-fn shortened(text: &str) -> String {
-    if text.len() <= LONGEST_MESSAGE {
+/// Longest remedy, bytes: it may list every name that there is.
+const LONGEST_REMEDY: usize = 6000;
+
+/// A text with its middle left out where it is longer than so many bytes.
+fn shortened(text: &str, longest: usize) -> String {
+    if text.len() <= longest {
         return text.into();
     }
-    let head: String = text.chars().take(LONGEST_MESSAGE / 4).collect();
-    let tail: Vec<char> = text.chars().rev().take(LONGEST_MESSAGE / 4).collect();
+    let head: String = text.chars().take(longest / 4).collect();
+    let tail: Vec<char> = text.chars().rev().take(longest / 4).collect();
     format!("{head} … {}", tail.into_iter().rev().collect::<String>())
 }
 
 impl Refusal {
     /// What is wrong, no longer than a person reads.
     pub fn message(&self) -> String {
-        shortened(&self.to_string())
+        shortened(&self.to_string(), LONGEST_MESSAGE)
     }
 
     /// What to change, no longer than a person reads.
     pub fn remedy(&self) -> String {
-        shortened(&self.reason.remedy())
+        shortened(&self.reason.remedy(), LONGEST_REMEDY)
     }
 }
 

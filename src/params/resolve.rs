@@ -240,6 +240,9 @@ fn sleeve_direction(file: &FrameFile) -> Result<SleeveDirection, Refusal> {
     })
 }
 
+/// What an extra may state.
+const EXTRA_FIELDS: [&str; 5] = ["mass_g", "mass_basis", "source", "position_mm", "covers"];
+
 fn extras(file: &FrameFile) -> Result<BTreeMap<String, Extra>, Refusal> {
     let mut tables: BTreeMap<String, toml::Table> = BTreeMap::new();
     for (key, entry) in &file.entries {
@@ -252,9 +255,14 @@ fn extras(file: &FrameFile) -> Result<BTreeMap<String, Extra>, Refusal> {
                 tables.entry(name.into()).or_default().insert(field.into(), entry.value.to_toml());
             }
             (None, Value::Other(toml::Value::Table(_))) => drop(tables.entry(rest.into()).or_default()),
-            (None, _) => {
+            // A field of an extra whose name was forgotten, or an extra that is no table.
+            (None, _) if EXTRA_FIELDS.contains(&rest) => {
                 let nearest = vec![format!("extras.NAME.{rest}")];
                 return Err(file.refuse(key, Reason::UnknownKey { key: key.clone(), nearest }));
+            }
+            (None, value) => {
+                let expected = format!("a table: [extras.{rest}] with mass_g, mass_basis and source");
+                return Err(file.refuse(key, Reason::WrongType { key: key.clone(), found: value.kind().into(), expected }));
             }
         }
     }
@@ -295,6 +303,42 @@ fn bad_extra(file: &FrameFile, name: &str, table: &toml::Value, message: &str) -
 mod tests {
     use super::super::files::Memory;
     use super::*;
+
+    #[test]
+    fn planted_a_nut_ties_nothing_and_a_strap_holds_no_board() {
+        for (text, words) in [
+            ("bought.tie = \"nut-m2\"", "`bought.tie` is `nut-m2`, which goes onto a thread"),
+            ("bought.tie = \"damper-m2\"", "`bought.tie` is `damper-m2`"),
+            ("bought.stack_nut = \"zip-tie\"", "`bought.stack_nut` is `zip-tie`, which is a strap"),
+        ] {
+            let refusal = resolved(text).expect_err(text);
+            assert!(refusal.message().contains(words), "{}", refusal.message());
+        }
+    }
+
+    #[test]
+    fn planted_an_extra_that_is_no_table_and_a_field_without_a_name() {
+        let no_table = resolved("extras.vtx = 5.0").expect_err("is a number");
+        assert!(no_table.remedy().contains("[extras.vtx] with mass_g"), "{}", no_table.remedy());
+        let no_name = resolved("extras.mass_g = 5.0").expect_err("has no name");
+        assert!(no_name.remedy().contains("`extras.NAME.mass_g`"), "{}", no_name.remedy());
+        let no_role = resolved("bought.vtx = \"x\"").expect_err("is no role");
+        assert!(no_role.remedy().contains("an entry of [extras]"), "{}", no_role.remedy());
+    }
+
+    #[test]
+    fn planted_entries_are_refused_in_the_words_of_a_frame_file() {
+        let own = |field: &str| {
+            format!("[override.parts.mine]\nkind = \"battery\"\nmass_g = 50.0\nmass_basis = \"measured\"\nsource = \"scale\"\n{field}\n")
+        };
+        for (field, words) in [
+            ("size_mm = [62.0, 26.0]", "a list of 2, expected a list of numbers, as many as 3"),
+            ("size_mm = \"62x26x18\"", "a text, \"62x26x18\""),
+        ] {
+            let refusal = resolved(&own(field)).expect_err(field);
+            assert!(refusal.message().contains(words) && refusal.remedy().contains("length, width and height"), "{}", refusal.message());
+        }
+    }
 
     fn resolved(text: &str) -> Result<Frame, Refusal> {
         let text = format!("base = \"cognifly\"\n{text}");

@@ -171,8 +171,13 @@ fn axes(file: &ImpactFile, base: &FrameFile, frame: &Frame) -> Result<Vec<Axis>,
 
 fn number_axis(file: &ImpactFile, key: &str, frame: &Frame) -> Result<Axis, Refusal> {
     let typed = key.strip_prefix("vary.").unwrap_or(key);
-    let parameter = lookup(typed)
-        .map_err(|error| file.refuse(key, impossible(error.to_string(), "`flexframe params` lists the keys of numbers".into())))?;
+    let parameter = lookup(typed).map_err(|error| {
+        let remedy = match KEYS.iter().any(|known| known.key == typed) {
+            true => format!("`{typed}` is a key of the plan itself: write it above the line [vary]"),
+            false => "`flexframe params` lists the keys of numbers".into(),
+        };
+        file.refuse(key, impossible(error.to_string(), remedy))
+    })?;
     can_vary(file, key, parameter, frame)?;
     let no_range = || {
         let message = format!("`{key}` is no range");

@@ -15,6 +15,7 @@ use crate::mechanics::result::deformed::Bound;
 use crate::mechanics::result::impact::{Impact, Run};
 use crate::mechanics::result::underside::Underside;
 use crate::mechanics::settings::MechanicsSettings;
+use crate::mechanics::system::structure::State;
 use crate::report::chart::impact_plots;
 use crate::report::data::impact_data;
 use crate::report::data::impact_data::Impacts;
@@ -55,11 +56,13 @@ pub(super) fn run(args: &Args, heights_m: &[f64], common: &Common) -> Result<Exi
     files.push(("impact.json".into(), format!("{json:#}\n").into_bytes()));
     if let Some(highest) = impacts.iter().max_by(|a, b| a.height_m.total_cmp(&b.height_m)) {
         let whole = FrameModel::of_parts(&design, &parts, &masses, &settings, Extent::Whole).map_err(mechanics_refused)?;
-        let bound = Bound::new(&design, &whole);
-        for (t_ms, state) in highest.states.iter().step_by(2) {
-            let Some(bound) = &bound else { continue };
-            let bodies = bound.deformed(&whole.unfolded(&model, state));
-            files.push((format!("pictures/{:02.0}_ms.png", t_ms), deformed_scene::picture(&design, &bodies, View::Right)));
+        let shown: Vec<_> = highest.states.iter().step_by(2).collect();
+        if let Some(bound) = Bound::new(&design, &whole) {
+            let shapes: Vec<_> = shown.iter().map(|(_, state)| bound.deformed(&whole.unfolded(&model, state))).collect();
+            let pictures = deformed_scene::pictures_on_ground(&design, &shapes, View::Right);
+            let named =
+                |((t_ms, _), picture): (&&(f64, State), Vec<u8>)| (format!("pictures/{}_m_{t_ms:02.0}_ms.png", highest.height_m), picture);
+            files.extend(shown.iter().zip(pictures).map(named));
         }
     }
     std::mem::drop(working);

@@ -19,7 +19,11 @@ impl DesignError {
                 let stated = Frame::resolve(file).ok().filter(|frame| frame.target.is_none());
                 let closing = stated.map_or_else(Vec::new, |frame| closing_lengths(&frame));
                 let each: Vec<String> = closing.iter().map(|(key, length_mm)| format!("{key} = {length_mm}")).collect();
-                let remedy = if each.is_empty() { closure.remedy() } else { format!("it closes with {}", each.join(", or with ")) };
+                let remedy = if each.is_empty() {
+                    closure.remedy()
+                } else {
+                    format!("it closes with {}; other limits were not looked at", each.join(", or with "))
+                };
                 file.refuse(nearest, Reason::Impossible { message, remedy })
             }
             Self::Relation(broken) => file.refuse(broken.key, Reason::clone(&broken.reason)),

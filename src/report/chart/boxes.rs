@@ -42,6 +42,9 @@ const LEGEND: (i32, i32) = (766, 24);
 const GROUPS: [f64; 2] = [680.0, 460.0];
 /// Width of a box, of a group's 1, when there is one kind.
 const WIDTH: f64 = 0.56;
+/// Room above the highest value, as a multiple of the height of names, and how much of the chart it may be.
+const CLEAR: f64 = 1.5;
+const MOST_NAMES: f64 = 0.6;
 /// Steps of this share of a width scatter values evenly without a random number.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
@@ -53,7 +56,9 @@ impl Chart for Boxes {
         let count = self.groups.len().max(1) as f64;
         let area = &titled(area, &self.title)?;
         let names = group_names(area, self.groups.iter().map(|group| &group.label[..]), GROUPS)?;
-        let room = (high - low) * names.height / (1.0 - names.height);
+        // Names stand clear of the highest whisker.
+        let share = (CLEAR * names.height).min(MOST_NAMES);
+        let room = (high - low) * share / (1.0 - share);
         let mut chart = ChartBuilder::on(area)
             .margin(MARGIN)
             .margin_top(MARGIN / 2)
@@ -86,8 +91,9 @@ impl Chart for Boxes {
             area.draw(&Text::new(*kind, (x + 22, y), TextStyle::from((FONT, 16))))?;
         }
         let labels = self.groups.iter().enumerate();
-        let label =
-            |(at, group): (usize, &Group)| Text::new(group.label.clone(), (at as f64 + 0.5, high + 0.15 * room), names.style.clone());
+        let label = |(at, group): (usize, &Group)| {
+            Text::new(group.label.clone(), (at as f64 + 0.5, high + (1.0 - 1.0 / CLEAR + 0.05) * room), names.style.clone())
+        };
         chart.draw_series(labels.map(label))?;
         Ok(())
     }

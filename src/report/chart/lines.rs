@@ -45,6 +45,27 @@ fn range(values: impl Iterator<Item = f64>) -> std::ops::Range<f64> {
     (if low < 0.0 { low - room } else { 0.0 })..high + room
 }
 
+/// How much of the chart a legend takes from its corner, along either axis.
+const OF_LEGEND: f64 = 0.35;
+
+/// The corner of a chart in which the fewest points of some lines are.
+pub(in crate::report) fn emptiest_corner(series: &[Series]) -> SeriesLabelPosition {
+    let points = || series.iter().flat_map(|series| &series.points);
+    let (across, up) = (range(points().map(|p| p.0)), range(points().map(|p| p.1)));
+    let share = |value: f64, range: &std::ops::Range<f64>| (value - range.start) / (range.end - range.start);
+    let within = |right: bool, upper: bool| {
+        let near = |share: f64, end: bool| if end { share > 1.0 - OF_LEGEND } else { share < OF_LEGEND };
+        points().filter(|(x, y)| near(share(*x, &across), right) && near(share(*y, &up), upper)).count()
+    };
+    let corners = [
+        (SeriesLabelPosition::UpperRight, within(true, true)),
+        (SeriesLabelPosition::LowerRight, within(true, false)),
+        (SeriesLabelPosition::UpperLeft, within(false, true)),
+        (SeriesLabelPosition::LowerLeft, within(false, false)),
+    ];
+    corners.into_iter().min_by_key(|(_, points)| *points).map_or(SeriesLabelPosition::UpperRight, |(corner, _)| corner)
+}
+
 impl Chart for Lines {
     fn draw<B: DrawingBackend>(&self, area: &Area<B>) -> Drawn<B> {
         let points = || self.series.iter().flat_map(|series| &series.points);

@@ -65,8 +65,21 @@ impl Parallel<'_> {
         let (low, high) = (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
         if high > low { [low, high] } else { [low - 0.5, low + 0.5] }
     }
+
+    /// What stands at the lower and the upper end of a figure's axis: as many decimals as tell the two apart; of a figure that is the same in all
+    /// frames that value, once.
+    fn end_words(&self, figure: usize) -> [String; 2] {
+        let first = self.frames.first().map_or(0.0, |(_, figures)| figures[figure]);
+        if self.frames.iter().all(|(_, figures)| figures[figure] == first) {
+            return [String::new(), format!("all {}", decimals(first, 2))];
+        }
+        let words = |places: usize| self.range(figure).map(|value| decimals(value, places));
+        (2..MOST_PLACES).map(words).find(|[low, high]| low != high).unwrap_or_else(|| words(MOST_PLACES))
+    }
 }
 
+/// Most decimals at the ends of an axis.
+const MOST_PLACES: usize = 9;
 /// The figures' axes reach from here to here, of the chart's height 0 to 1.
 const REACH: [f64; 2] = [0.06, 0.9];
 
@@ -93,7 +106,7 @@ impl Chart for Parallel<'_> {
         for (at, name) in self.names.iter().enumerate() {
             let x = at as f64;
             chart.draw_series([PathElement::new([(x, REACH[0]), (x, REACH[1])], BLACK.stroke_width(1))])?;
-            let [low, high] = ranges[at].map(|value| decimals(value, 2));
+            let [low, high] = self.end_words(at);
             // Names of neighbours stand at two heights, so that they do not cover each other.
             let lift = if at % 2 == 0 { 0.055 } else { 0.1 };
             let words = [(name.as_str(), REACH[1] + lift, 15), (high.as_str(), REACH[1] + 0.015, 13), (low.as_str(), REACH[0] - 0.02, 13)];

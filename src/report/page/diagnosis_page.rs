@@ -6,7 +6,7 @@ use crate::figures::{PARAMETER_DIGITS, hundredths, p_value, significant};
 use crate::frame::assembly::Design;
 use crate::impact::diagnose::{CovariateEffect, Diagnosis, Gap, Point, Verdict, joined};
 use crate::impact::request::{Compared, SeparatingExperiment};
-use crate::report::chart::lines::{Lines, Series};
+use crate::report::chart::lines::{Lines, Series, emptiest_corner};
 use crate::report::chart::plot::{self, PlotError};
 use crate::report::page::document::Block;
 
@@ -218,14 +218,16 @@ fn residual_chart(when: &str, points: &[Point], heights: &[f64]) -> Lines {
             .map(|point| (point.t_ms, (point.measured_g - point.model_g) / point.error_g.max(1e-3)))
             .collect(),
     };
+    let series: Vec<_> = heights.iter().enumerate().map(series).collect();
+    let legend = emptiest_corner(&series);
     Lines {
         title: format!("Residual {when}"),
         across: "time from first touch, ms",
         up: "measured less model, standard errors",
-        series: heights.iter().enumerate().map(series).collect(),
+        series,
         levels: vec![("± 2 standard errors".into(), 2.0), (String::new(), -2.0)],
         left: Vec::new(),
-        legend: plotters::prelude::SeriesLabelPosition::UpperRight,
+        legend,
     }
 }
 

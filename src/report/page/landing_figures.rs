@@ -146,7 +146,7 @@ fn drop(shown: &ShownDrop, step_ms: f64) -> Lines {
     ];
     let [opposite, near, far] = shown.touches.delays_s();
     for (name, colour, delay_s) in
-        [("first foot", 1, 0.0), ("a foot beside", 2, near), ("the other", 2, far), ("opposite foot", 3, opposite)]
+        [("first foot", 1, 0.0), ("a foot beside", 2, near), ("the other", 5, far), ("opposite foot", 3, opposite)]
     {
         // First touch lies within the step before the trigger.
         let at_ms = step_ms * (BEFORE as f64 - 0.5) + 1e3 * delay_s;

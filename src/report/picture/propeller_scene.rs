@@ -22,8 +22,8 @@ const AROUND: f64 = 4.4;
 
 /// Which of the colours the motors have.
 const MOTOR: usize = 0;
-/// Linear colour of the edge of a blade that goes first.
-const FIRST_EDGE: [f32; 4] = [1.0, 1.0, 1.0, 1.0];
+/// Linear colour of the edge of a blade that goes first: black, on paper and on grey parts, however it is lit.
+const FIRST_EDGE: [f32; 4] = [0.0, 0.0, 0.0, 1.0];
 
 /// The propeller of a module, its middle in the origin: blades, and the edges that go first, with their colours.
 pub(super) fn blades_of(design: &Design, module: usize) -> [(Mesh, [f32; 4]); 2] {
@@ -44,7 +44,7 @@ fn colour_of(spin: Spin) -> usize {
 pub fn key() -> String {
     let blades = |spin: Spin| format!("in {} turn {}", colour_words(colour_of(spin)), spin.words());
     format!(
-        "Blades {}, {}. Their raised edge, in white, goes first. The motors are {}, too.",
+        "Blades {}, {}. Their raised edge, in black, goes first. The motors are {}, too.",
         blades(Spin::Clockwise),
         blades(Spin::CounterClockwise),
         COLOUR_WORDS[MOTOR][0]

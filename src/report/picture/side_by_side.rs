@@ -13,6 +13,9 @@ const SIZE: [u32; 2] = [720, 600];
 const BAND: usize = 40;
 const LETTERS: f64 = 22.0;
 
+/// How much of its side a name may take.
+const ROOM: f64 = 0.94;
+
 /// Both frames in perspective, and from above below that, under their names; the bytes of a PNG file.
 pub fn png(designs: [&Design; 2], names: [&str; 2]) -> Vec<u8> {
     let laid = designs.map(scene::laid);
@@ -37,7 +40,9 @@ fn band(names: [&str; 2], width: usize) -> Vec<u8> {
     let mut rgb = vec![255; 3 * 2 * width * BAND];
     if let Some(lettering) = Lettering::new() {
         for (side, name) in names.into_iter().enumerate() {
-            lettering.write(&mut rgb, 2 * width, name, LETTERS, [(0.5 + side as f64) * width as f64, 0.5 * BAND as f64]);
+            // A long name is written smaller, and stays on its side.
+            let size = LETTERS * (ROOM * width as f64 / lettering.width(name, LETTERS)).min(1.0);
+            lettering.write(&mut rgb, 2 * width, name, size, [(0.5 + side as f64) * width as f64, 0.5 * BAND as f64]);
         }
     }
     rgb
