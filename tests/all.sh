@@ -537,7 +537,10 @@ occt_reads_steps() {
     # A tie hole whose lower border has corners, and circles that touch: OCCT once refused both.
     printf '%s\n' 'base = "cognifly"' 'name = "tie-hole"' '[hub_joint]' 'hub_joint_diameter_mm = 6.858' >"$work/tie-hole.toml"
     printf '%s\n' "base = '$PWD/examples/frames/li-ion-2s.toml'" 'name = "touching"' '[hub_joint]' 'plug_length_mm = 8.126' >"$work/touching.toml"
-    for frame in tie-hole touching; do
+    # An arc that passes over a straight side of the same face; rods that are tubes.
+    printf '%s\n' 'base = "cognifly"' 'name = "passing"' '[hub]' 'hub_boss_wall_mm = 1.8' 'hub_plate_thickness_mm = 5.0' >"$work/passing.toml"
+    printf '%s\n' "base = '$PWD/examples/frames/li-ion-2s.toml'" 'name = "tubes"' >"$work/tubes.toml"
+    for frame in tie-hole touching passing tubes; do
         "$binary" build "$work/$frame.toml" --step --no-pictures -q -o "$work/step" || failed "STEP $frame" "build --step failed"
         folders+=("$work/step/$frame")
     done

@@ -6,12 +6,14 @@ use super::cache;
 use super::choice;
 use super::failure::Failure;
 use super::options::{Common, FrameOption, MechanicsOption};
+use super::terminal;
 use crate::frame::assembly::{Design, DesignError};
 use crate::mechanics::settings::MechanicsSettings;
 use crate::memo::Memo;
 use crate::params::frame_file::Value;
 use crate::params::lookup::{LookupError, lookup};
 use crate::params::parameter::Parameter;
+use crate::params::unused::unused;
 use crate::params::{Frame, FrameFile, LoadError, preset};
 
 /// Numbers of the mechanics, where they are to be asked.
@@ -74,7 +76,9 @@ pub(super) fn load(option: &FrameOption) -> Result<(Frame, FrameFile), Failure> 
     if let Some(rigid) = &option.rigid {
         file.ask("materials.rigid", Value::Text(rigid.clone()), format!("--rigid {rigid}"));
     }
-    resolved(file)
+    let (frame, file) = resolved(file)?;
+    unused(&file, &frame).iter().for_each(|told| terminal::tell(&format!("note: {told}")));
+    Ok((frame, file))
 }
 
 /// Resolves a frame that was read.

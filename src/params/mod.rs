@@ -33,6 +33,7 @@ pub mod resolve;
 pub mod roles;
 pub mod sleeve_direction;
 pub mod target;
+pub mod unused;
 
 pub use frame::{Frame, catalogue as parameters};
 pub use frame_file::FrameFile;

@@ -131,6 +131,21 @@ fn analytic_the_drops_energies_add_up_and_shorter_steps_agree() {
     assert!(usual.unaccounted.abs() < 0.05 && short.unaccounted.abs() < 0.03, "{} {}", usual.unaccounted, short.unaccounted);
     let [a, b] = [usual.peak()[0], short.peak()[0]];
     assert!((a / b - 1.0).abs() < 0.03, "{a} {b}");
+    // What the zones hold is what is stored, but for the feet's skin and the rigid links.
+    let (zones_mj, stored_mj) = (usual.zones.iter().map(|zone| zone.energy_mj).sum::<f64>(), usual.energies[0].stored_mj);
+    assert!((0.93..1.0).contains(&(zones_mj / stored_mj)), "{zones_mj} {stored_mj}");
+}
+
+/// What weighs six times as much takes longer to turn back and comes down farther than there is room, though nothing of it is felt.
+#[test]
+fn planted_a_heavy_frame_goes_through_its_feet_in_the_design_drop() {
+    let mut frame = Frame::load("cognifly").expect("the preset is valid").0;
+    frame.extras.get_mut("wiring").expect("has one").mass_g = 1500.0;
+    let design = Design::with(frame, common::memo()).expect("closes");
+    let masses = mass::table(&design);
+    let findings = flexframe::checks::design_drop(&design, &masses, &settings()).expect("has a model");
+    let violated: Vec<&str> = findings.iter().filter(|f| f.verdict == Verdict::Violated).map(|f| f.message.as_str()).collect();
+    assert!(violated.iter().any(|told| told.contains("the centre comes down by") || told.contains("cannot be followed")), "{findings:#?}");
 }
 
 #[test]

@@ -116,6 +116,45 @@ fn planted_a_killed_study_goes_on_and_its_table_is_that_of_an_undisturbed_one() 
     assert_eq!(report["front"].as_array().map(Vec::len), Some(1), "{report:#}");
 }
 
+/// A figure of the bill is a goal as a measure is, and one that nothing explains says why.
+#[test]
+fn planted_a_printing_time_is_a_goal_and_has_indices() {
+    let plan = "samples = 4\nseed = 1\nsampling = \"saltelli\"\nmeasures = [\"mass\", \"print.time\", \"violations\"]\n[vary]\ncage_rod = [188.0, 192.0]\n";
+    let desk = Desk::new(plan);
+    desk.good(&["run", "s.toml"]);
+    for goals in ["print.time", "mass,print.time"] {
+        desk.good(&["report", "s.toml", "--goals", goals]);
+    }
+    let report: Value = serde_json::from_str(&desk.read("out/study-s/report/report.json")).expect("JSON");
+    let named = |key: &str| {
+        report[key].as_array().expect("a list").iter().map(|one| one["measure"].as_str().expect("a name").to_string()).collect::<Vec<_>>()
+    };
+    let mut all = [named("indices"), named("without_indices")].concat();
+    all.sort();
+    assert_eq!(all, ["mass", "print.time", "violations"], "{report:#}");
+}
+
+#[test]
+fn planted_limits_of_this_machine_are_refused_on_a_server() {
+    let desk = Desk::new("samples = 2\nmeasures = [\"mass\"]\n[vary]\ncage_rod = [188.0, 192.0]\n");
+    let (code, _, err) = desk.run(&["run", "s.toml", "--engine", "hq", "--budget", "1s"]);
+    assert!(code == 2 && err.contains("--budget and --cores are of this machine"), "{err}");
+}
+
+/// Somebody's file with the name of a journal is not one, with a line end and without.
+#[test]
+fn planted_a_file_that_is_no_journal_is_refused_and_kept() {
+    let desk = Desk::new("samples = 2\nmeasures = [\"mass\"]\n[vary]\ncage_rod = [188.0, 192.0]\n");
+    std::fs::create_dir_all(desk.path().join("out/study-s")).expect("a folder");
+    let place = desk.path().join("out/study-s/rows.jsonl");
+    for text in ["my notes", "my notes\n"] {
+        std::fs::write(&place, text).expect("is written");
+        let (code, _, err) = desk.run(&["run", "s.toml"]);
+        assert!(code == 2 && err.contains("no row of a study"), "{err}");
+        assert_eq!(std::fs::read_to_string(&place).expect("is there"), text);
+    }
+}
+
 /// A study that was asked to end has kept its rows and not done its work.
 #[cfg(unix)]
 #[test]

@@ -15,6 +15,9 @@ use crate::params::parameter::Parameter;
 const GRIP_MM: f64 = -0.3;
 const SLIDE_MM: f64 = 0.2;
 
+/// How far apart the bores in which one rod is held and slides may be, mm: a choice, five steps of the coupon.
+const MOST_APART_MM: f64 = 0.5;
+
 /// What can be found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fit {
@@ -150,6 +153,17 @@ pub enum FindingError {
         /// Most, mm.
         max: f64,
     },
+    /// Between the two readings a rod would neither be held nor slide.
+    #[error(
+        "held = {held_mm} and slides = {slides_mm} mm are {:.1} mm apart, where more than {MOST_APART_MM} mm are none of one rod: `held` is the widest bore that holds it, `slides` the narrowest in which it slides",
+        slides_mm - held_mm
+    )]
+    Apart {
+        /// Where it is held, mm.
+        held_mm: f64,
+        /// Where it slides, mm.
+        slides_mm: f64,
+    },
     /// Slides in a bore that holds.
     #[error("a rod that is held in {held_mm} mm does not slide in {slides_mm} mm: try both again")]
     Contrary {
@@ -182,10 +196,13 @@ impl Found {
             return Err(FindingError::Twice { name: twice.1.fit.name() });
         }
         let of = |fit| all.iter().find(|found| found.fit == fit).map(|found| found.number_mm);
-        if let (Some(held_mm), Some(slides_mm)) = (of(Fit::Held), of(Fit::Slides))
-            && slides_mm <= held_mm
-        {
-            return Err(FindingError::Contrary { held_mm, slides_mm });
+        if let (Some(held_mm), Some(slides_mm)) = (of(Fit::Held), of(Fit::Slides)) {
+            if slides_mm <= held_mm {
+                return Err(FindingError::Contrary { held_mm, slides_mm });
+            }
+            if slides_mm - held_mm > MOST_APART_MM + 1e-9 {
+                return Err(FindingError::Apart { held_mm, slides_mm });
+            }
         }
         for Self { fit, number_mm } in all {
             fit.on_coupon(*number_mm, frame)?;
@@ -333,5 +350,6 @@ mod tests {
         let error = read("held=2.5,slides=2.8").expect_err("is beyond");
         assert!(error.to_string().contains("too wide, so mend"), "{error}");
         assert!(matches!(read("held=3.1,slides=3.0"), Err(FindingError::Contrary { .. })));
+        assert!(matches!(read("held=2.5,slides=3.1"), Err(FindingError::Apart { .. })));
     }
 }
