@@ -70,7 +70,9 @@ fn planted_a_plug_and_a_latch_that_are_extras() {
     let all: String = plug.values().cloned().collect();
     assert!(!all.contains("connector's") && !all.contains("power connector") && !all.contains("battery wires"), "{all}");
     assert!(
-        plug["bracket"].starts_with("Solder the leads of the extra \"plug\" to the battery pads of the motor controller at its rear"),
+        plug["bracket"].contains(
+            "before you turn it over. Solder the leads of the extra \"plug\" to the battery pads of the motor controller at its rear"
+        ),
         "{}",
         plug["bracket"]
     );

@@ -349,9 +349,19 @@ mod tests {
 
     #[test]
     fn planted_readings_beyond_the_usual_converter_are_of_a_sensor_with_more_range() {
+        let drop = |trial: u8, most: f64| format!("{trial},1,0,0\n{trial},1,0.001,{most}\n");
         let scale = |most: f64| {
-            let text = format!("trial,height_m,t_s,accel_g\n1,1,0,0\n1,1,0.001,229.9\n2,1,0,0\n2,1,0.001,{most}\n");
-            read(&text).expect("reads").0.iter().map(|record| record.at_full_scale).collect::<Vec<_>>()
+            let head = "trial,height_m,t_s,accel_g\n";
+            let found = |files: &[(String, Vec<u8>)]| {
+                let set = super::super::read_bytes(files, &super::super::FileFormat::default()).expect("reads");
+                set.records().map(|record| record.at_full_scale).collect::<Vec<_>>()
+            };
+            let together = found(&[("a.csv".into(), format!("{head}{}{}", drop(1, 229.9), drop(2, most)).into_bytes())]);
+            // A file a drop says the same.
+            let apart =
+                [(1, 229.9), (2, most)].map(|(trial, most)| (format!("{trial}.csv"), format!("{head}{}", drop(trial, most)).into_bytes()));
+            assert_eq!(found(&apart), together);
+            together
         };
         assert_eq!([scale(229.9), scale(345.0)], [[1, 1], [0, 0]]);
         // The paper's own logger: 4095 counts along its axis are 233.7 g, 0 counts are -227.6 g.
