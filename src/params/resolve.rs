@@ -329,7 +329,9 @@ mod tests {
     #[test]
     fn planted_entries_are_refused_in_the_words_of_a_frame_file() {
         let own = |field: &str| {
-            format!("[override.parts.mine]\nkind = \"battery\"\nmass_g = 50.0\nmass_basis = \"measured\"\nsource = \"scale\"\n{field}\n")
+            format!(
+                "bought.battery = \"mine\"\n[override.parts.mine]\nkind = \"battery\"\nmass_g = 50.0\nmass_basis = \"measured\"\nsource = \"scale\"\n{field}\n"
+            )
         };
         for (field, words) in [
             ("size_mm = [62.0, 26.0]", "a list of 2, expected a list of numbers, as many as 3"),

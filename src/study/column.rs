@@ -4,7 +4,6 @@ use super::bill_figure::{BILL_FIGURES, BillFigure};
 use super::recovery::RecoveryMeasure;
 use crate::checks::{CATALOGUE, Rule, Verdict};
 use crate::export::bill::Bill;
-use crate::figures::decimals;
 use crate::variant::{Better, Evaluation, MEASURES, Measure, caveats};
 
 /// A column of figures.
@@ -62,7 +61,7 @@ impl Column {
     pub fn reported(&self, figure: f64) -> String {
         match self {
             Self::Measure(measure) => measure.reported(Some(figure)),
-            _ => decimals(figure, 2),
+            _ => format!("{figure:.2}"),
         }
     }
 
