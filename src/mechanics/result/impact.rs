@@ -269,9 +269,9 @@ impl Impact {
         self.moments.iter().map(|moment| moment.down_mm).fold(0.0, f64::max)
     }
 
-    /// Whether the payload has turned back: before, its peak and travel are not known.
+    /// Whether the payload has turned back: before, its peak and travel are not known. Its speed at the end says less, as it swings on what carries it.
     pub fn has_turned_back(&self) -> bool {
-        self.moments.last().is_some_and(|moment| moment.up_m_s >= 0.0) || self.contact_ms.is_some()
+        self.contact_ms.is_some() || self.moments.last().is_some_and(|last| last.down_mm < self.travel_mm())
     }
 
     /// The proper acceleration behind a first-order low-pass, g, moment by moment.

@@ -22,7 +22,8 @@ pub struct Hanging {
     pub heights_mm: [f64; 2],
     /// Whether it begins with a piece that touches nothing below.
     pub island: bool,
-    /// How far its farthest corner is from what it rests on, mm; endless for one that rests on nothing.
+    /// How far its farthest corner is from what it rests on, mm; endless for one that rests on nothing. Where most of it rests at both ends, how far
+    /// what does not.
     pub reach_mm: f64,
     /// Longest line across it from one support to another, mm.
     pub span_mm: f64,
