@@ -85,7 +85,7 @@ fn gives_way(why: &str) -> Finding {
     lost.at_most("frame".into(), format!("the design drop cannot be followed: {why}"))
 }
 
-/// How far the centre comes down. The model has no arms that meet the feet: beyond that, and for a softer frame a lower peak, its figures say nothing.
+/// How far the centre comes down. In the model arms do not meet the lower ring: a frame that comes down farther has a low peak there, which says nothing.
 fn travel(design: &Design, found: &Prediction) -> Finding {
     let room_mm = design.skeleton.closure.ring_half_height_mm;
     let travel = Measure { rule: RULE.id, value: found.travel_mm, limit: room_mm, unit: "mm", levers: PAYLOAD };

@@ -13,7 +13,7 @@ use super::progress::Progress;
 use super::session;
 use super::{frame_text, frames, output, table, terminal};
 use crate::checks::gate::{
-    Baseline, CheckedFrame, NO_FRAME_REMEDY, Outcome, Policy, Refused, Standing, acceptance, data, github, junit, markdown, sarif,
+    Accepted, Baseline, CheckedFrame, NO_FRAME_REMEDY, Outcome, Policy, Refused, Standing, acceptance, data, github, junit, markdown, sarif,
 };
 use crate::checks::{self, Finding};
 use crate::frame::assembly::mass;
@@ -116,22 +116,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     say(args, common, &outcomes)?;
     if let (Some(list), Some(path)) = (&baseline, &args.baseline) {
         for done in acceptance::no_longer_failing(list, &outcomes, args.mechanics.strength) {
-            let meant = nearest(&done.rule, checks::CATALOGUE.iter().map(|rule| rule.id));
-            let line = match checks::CATALOGUE.iter().any(|rule| rule.id == done.rule) {
-                true => {
-                    format!("note: {}: {} of {} no longer fails; remove it from {}", done.frame, done.rule, done.subject, path.display())
-                }
-                false => {
-                    let meant = meant.first().map(|id| format!(" (did you mean `{id}`?)")).unwrap_or_default();
-                    format!(
-                        "note: {}: there is no rule `{}`{meant}; its entry in {} accepts nothing",
-                        done.frame,
-                        done.rule,
-                        path.display()
-                    )
-                }
-            };
-            terminal::tell(&line);
+            terminal::tell(&unmatched(done, path));
         }
         for (frame, judged, entry) in acceptance::accepted_of_another_file(list, &outcomes) {
             let [here, there] = [&frame.file, &entry.file].map(|file| file.as_deref().unwrap_or(&frame.frame));
@@ -169,6 +154,17 @@ fn hold(
     let policy = Policy { file: listed.as_deref(), ..policy };
     let advice = if args.remedies { advice(&file, &findings, memo) } else { Vec::new() };
     Ok(CheckedFrame::new(&frame, &file, findings, masses, policy).advised(advice))
+}
+
+/// What is to be said of an accepted finding that none of today's is.
+fn unmatched(done: &Accepted, list: &Path) -> String {
+    let Accepted { frame, rule, subject, .. } = done;
+    if checks::CATALOGUE.iter().any(|known| known.id == *rule) {
+        return format!("note: {frame}: {rule} of {subject} no longer fails; remove it from {}", list.display());
+    }
+    let near = nearest(rule, checks::CATALOGUE.iter().map(|known| known.id));
+    let meant = near.first().map(|id| format!(" (did you mean `{id}`?)")).unwrap_or_default();
+    format!("note: {frame}: there is no rule `{rule}`{meant}; its entry in {} accepts nothing", list.display())
 }
 
 /// What the design drop of the frame's own model does to it.

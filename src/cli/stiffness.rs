@@ -100,8 +100,10 @@ fn deformed_files(
     let mut files = Vec::new();
     let shapes: Vec<_> = curve.states.iter().map(|(_, state)| bound.deformed(&whole.unfolded(quarter, state))).collect();
     let pictures = deformed_scene::pictures_on_ground(design, &shapes, View::Right);
-    files
-        .extend(curve.states.iter().zip(pictures).map(|((down_mm, _), picture)| (format!("pictures/down_{down_mm:02.0}_mm.png"), picture)));
+    // 16 mm and 16.3 mm are two pictures.
+    let named = |down_mm: f64| if down_mm.fract() == 0.0 { format!("{down_mm:02.0}") } else { format!("{down_mm}") };
+    let named = |((down_mm, _), picture): (&(f64, _), Vec<u8>)| (format!("pictures/down_{}_mm.png", named(*down_mm)), picture);
+    files.extend(curve.states.iter().zip(pictures).map(named));
     // One shape after the other, and back.
     let count = shapes.len();
     let stops: Vec<usize> = (0..=count).chain((0..count).rev()).collect();
@@ -135,7 +137,8 @@ fn reference(
     let other = session::designed(frame, &file, &design.memo)?;
     let weighed = mass::table(&other);
     let [own, others] = [design, &other].map(|design| &design.frame.flexible);
-    if own.material.tensile_modulus_mpa != others.material.tensile_modulus_mpa {
+    let moduli = own.material.tensile_modulus_mpa.zip(others.material.tensile_modulus_mpa);
+    if moduli.is_some_and(|(own, others)| own != others) {
         terminal::tell(&format!(
             "{} is of {}, {} of {}: ratios contain that of their moduli, and bands leave out how well it is known",
             design.frame.name, own.name, other.frame.name, others.name

@@ -214,10 +214,14 @@ impl MechanicsSettings {
         }
         let young_mpa = self.for_material(&material.material).young_mpa;
         let [low, high] = YOUNG_MPA;
+        let by = match material.material.tensile_modulus_mpa.and(self.tensile_mpa) {
+            Some(_) => format!("its tensile_modulus_mpa in the ratio of {}", self.name),
+            None => format!("as {} states", self.name),
+        };
         (!(low..=high).contains(&young_mpa)).then(|| {
             format!(
-                "{} is computed with {young_mpa:.1} MPa, its tensile_modulus_mpa in the ratio of {}: beyond the {low} to {high} MPa of flexible filaments that says little",
-                material.name, self.name
+                "{} is computed with {young_mpa:.1} MPa, {by}: beyond the {low} to {high} MPa of flexible filaments that says little",
+                material.name
             )
         })
     }

@@ -29,8 +29,10 @@ pub(super) fn bad_entry(file: &FrameFile, key: &str, kind: &str, name: &str, mes
 fn in_words(message: &str) -> String {
     let mut told = message.replace("unknown variant", "there is no");
     for (typed, plain) in [
-        ("expected an array of length", "expected a list of numbers, as many as"),
-        ("expected a sequence", "expected a list, such as [\"battery\"]"),
+        ("expected an array of length 2", "expected two numbers"),
+        ("expected an array of length 3", "expected three numbers"),
+        ("expected an array of length 4", "expected four numbers"),
+        ("expected a sequence", "expected a list"),
         ("invalid length", "a list of"),
         ("invalid type: string", "a text,"),
         ("invalid type: floating point", "a number,"),

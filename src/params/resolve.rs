@@ -240,6 +240,13 @@ fn sleeve_direction(file: &FrameFile) -> Result<SleeveDirection, Refusal> {
     })
 }
 
+/// Most letters of a name that stands in a remedy.
+const MOST_LETTERS: usize = 60;
+
+fn in_short(name: &str) -> String {
+    if name.chars().count() > MOST_LETTERS { "NAME".into() } else { name.into() }
+}
+
 /// What an extra may state.
 const EXTRA_FIELDS: [&str; 5] = ["mass_g", "mass_basis", "source", "position_mm", "covers"];
 
@@ -261,7 +268,7 @@ fn extras(file: &FrameFile) -> Result<BTreeMap<String, Extra>, Refusal> {
                 return Err(file.refuse(key, Reason::UnknownKey { key: key.clone(), nearest }));
             }
             (None, value) => {
-                let expected = format!("a table: [extras.{rest}] with mass_g, mass_basis and source");
+                let expected = format!("a table: [extras.{}] with mass_g, mass_basis and source", in_short(rest));
                 return Err(file.refuse(key, Reason::WrongType { key: key.clone(), found: value.kind().into(), expected }));
             }
         }
@@ -333,10 +340,9 @@ mod tests {
                 "bought.battery = \"mine\"\n[override.parts.mine]\nkind = \"battery\"\nmass_g = 50.0\nmass_basis = \"measured\"\nsource = \"scale\"\n{field}\n"
             )
         };
-        for (field, words) in [
-            ("size_mm = [62.0, 26.0]", "a list of 2, expected a list of numbers, as many as 3"),
-            ("size_mm = \"62x26x18\"", "a text, \"62x26x18\""),
-        ] {
+        for (field, words) in
+            [("size_mm = [62.0, 26.0]", "a list of 2, expected three numbers"), ("size_mm = \"62x26x18\"", "a text, \"62x26x18\"")]
+        {
             let refusal = resolved(&own(field)).expect_err(field);
             assert!(refusal.message().contains(words) && refusal.remedy().contains("length, width and height"), "{}", refusal.message());
         }

@@ -137,6 +137,19 @@ fn analytic_the_drops_energies_add_up_and_shorter_steps_agree() {
     assert!((0.93..1.0).contains(&(zones_mj / stored_mj)), "{zones_mj} {stored_mj}");
 }
 
+/// Frames that take longer than 40 ms to turn back, by how much they weigh: each is followed, and none less far than a lighter one.
+#[test]
+fn analytic_heavier_frames_come_down_farther_and_are_followed() {
+    let settings = MechanicsSettings { element_mm: 1.6, socket_elements: 2.0, ..settings() };
+    let travel = |more_g: f64| {
+        let design = design(|frame| frame.extras.values_mut().next().expect("has one").mass_g += more_g);
+        let found = predict(&design, &mass::table(&design), &settings).unwrap_or_else(|error| panic!("{more_g} g: {error}"));
+        (found.travel_mm, found.payload_peak_g)
+    };
+    let found: Vec<(f64, f64)> = (0..8).map(|step| travel(400.0 + 37.0 * f64::from(step))).collect();
+    assert!(found.windows(2).all(|pair| pair[1].0 > pair[0].0 && (pair[1].1 / pair[0].1 - 1.0).abs() < 0.15), "{found:?}");
+}
+
 /// What weighs six times as much takes longer to turn back and comes down farther than there is room, though nothing of it is felt.
 #[test]
 fn planted_a_heavy_frame_goes_through_its_feet_in_the_design_drop() {

@@ -250,7 +250,7 @@ fn planted_extras_that_do_not_read_are_explained() {
     assert_says(&basis, &["there is no `guess`, expected one of", "docs/frame-files.md"]);
     assert_says(&extra(""), &["missing field `mass_g`", "frame.toml:2"]);
     let flat = extra("mass_g = 1.5\nmass_basis = \"measured\"\nsource = \"x\"\nposition_mm = [0, 0]\n");
-    assert_says(&flat, &["`position_mm`: a list of 2, expected a list of numbers, as many as 3", "frame.toml:6"]);
+    assert_says(&flat, &["`position_mm`: a list of 2, expected three numbers", "frame.toml:6"]);
 }
 
 #[test]

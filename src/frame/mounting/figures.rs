@@ -61,10 +61,10 @@ fn loose_told(design: &Design) -> String {
 fn extra_leads(frame: &Frame) -> String {
     let names: Vec<String> = frame
         .built_in_extras()
-        .filter(|(name, extra)| *name != WIRING && frame.replaced(extra).next().is_none())
+        .filter(|(name, extra)| !is_wiring(frame, name, extra) && frame.replaced(extra).next().is_none())
         .map(|(name, _)| spaced(name))
         .collect();
-    if names.is_empty() { String::new() } else { format!(", and for what the frame's file lists as extra ({})", names.join(", ")) }
+    if names.is_empty() { String::new() } else { format!(", and for what of the file's extras has leads ({})", names.join(", ")) }
 }
 
 /// The sentences about the holes that ties go through.
@@ -92,13 +92,18 @@ fn extras_told(design: &Design) -> String {
         let name = spaced(name);
         if replaced.is_empty() { name } else { format!("{name} (for the {replaced})") }
     };
-    let is_told_here = |(name, extra): &(&String, &Extra)| *name != WIRING && !is_told_before(frame, extra);
+    let is_told_here = |(name, extra): &(&String, &Extra)| !is_wiring(frame, name, extra) && !is_told_before(frame, extra);
     let names: Vec<String> = frame.built_in_extras().filter(is_told_here).map(named).collect();
     let listed = match names.is_empty() {
         true => String::new(),
         false => format!(" Fasten and connect what the frame's file lists as extra, as its maker says: {}.", names.join(", ")),
     };
     format!("{listed}{}", unconnected_told(design))
+}
+
+/// Whether an extra is the wires and small parts, and nothing else.
+fn is_wiring(frame: &Frame, name: &str, extra: &Extra) -> bool {
+    name == WIRING && frame.replaced(extra).next().is_none()
 }
 
 /// Whether an earlier step names an extra and takes it in hand: it stands for the power connector, which is soldered to a board under the hub, or for the

@@ -50,8 +50,8 @@ const AROUND_MM: f64 = 0.5;
 const LEAST_MM2: f64 = 1e-3;
 /// Share of a bridge that may hang loose: its rounded corners.
 const LOOSE_SHARE: f64 = 0.15;
-/// Of what hangs, so much may be loose for the rest to be a bridge beside it.
-const MOST_LOOSE: f64 = 0.5;
+/// Of what hangs, so much may be loose for the rest to be a bridge beside it: of less nothing rests at both ends.
+const MOST_LOOSE: f64 = 0.98;
 
 /// Every place of a part that hangs and is wider than a line; solid and mesh are the same.
 pub(super) fn of(solid: &MeshSolid, mesh: &Mesh, process: &Process) -> Vec<Hanging> {
@@ -146,8 +146,9 @@ impl Open {
         let area_mm2 = plan.area_mm2();
         let heights_mm = [layers.bottom_mm(self.first), layers.bottom_mm(self.last)];
         let farthest_mm = chords::farthest_mm(&plan, &support);
-        // Where most lines rest at both ends, only what does not reaches out.
-        let reach_mm = if loose_mm2 < MOST_LOOSE * area_mm2 { farthest_mm.min(loose_reach_mm) } else { farthest_mm } - TOUCH_MM;
+        // Where some lines rest at both ends, only what does not reaches out.
+        let reach_mm = if loose_mm2 < MOST_LOOSE * area_mm2 { farthest_mm.min(loose_reach_mm) } else { farthest_mm };
+        let reach_mm = (reach_mm - TOUCH_MM).max(0.0);
         let layers = self.layers.into_iter().map(|(at, piece)| (layers.bottom_mm(at), piece)).collect();
         Some(Hanging {
             plan,

@@ -48,10 +48,16 @@ fn range(values: impl Iterator<Item = f64>) -> std::ops::Range<f64> {
 /// How much of the chart a legend takes from its corner, along either axis.
 const OF_LEGEND: f64 = 0.35;
 
-/// The corner of a chart in which the fewest points of some lines are.
-pub(in crate::report) fn emptiest_corner(series: &[Series]) -> SeriesLabelPosition {
+/// What lines and level lines reach, across and up.
+fn reached(series: &[Series], levels: &[(String, f64)]) -> [std::ops::Range<f64>; 2] {
     let points = || series.iter().flat_map(|series| &series.points);
-    let (across, up) = (range(points().map(|p| p.0)), range(points().map(|p| p.1)));
+    [range(points().map(|p| p.0)), range(points().map(|p| p.1).chain(levels.iter().map(|level| level.1)))]
+}
+
+/// The corner of a chart in which the fewest points of some lines are.
+pub(in crate::report) fn emptiest_corner(series: &[Series], levels: &[(String, f64)]) -> SeriesLabelPosition {
+    let points = || series.iter().flat_map(|series| &series.points);
+    let [across, up] = reached(series, levels);
     let share = |value: f64, range: &std::ops::Range<f64>| (value - range.start) / (range.end - range.start);
     let within = |right: bool, upper: bool| {
         let near = |share: f64, end: bool| if end { share > 1.0 - OF_LEGEND } else { share < OF_LEGEND };
@@ -68,8 +74,7 @@ pub(in crate::report) fn emptiest_corner(series: &[Series]) -> SeriesLabelPositi
 
 impl Chart for Lines {
     fn draw<B: DrawingBackend>(&self, area: &Area<B>) -> Drawn<B> {
-        let points = || self.series.iter().flat_map(|series| &series.points);
-        let (across, up) = (range(points().map(|p| p.0)), range(points().map(|p| p.1).chain(self.levels.iter().map(|level| level.1))));
+        let [across, up] = reached(&self.series, &self.levels);
         let words = Words { across: self.across, up: self.up };
         let area = titled(area, &self.title)?;
         let mut chart = axes(&area, &words, [across.clone(), up])?;

@@ -219,13 +219,14 @@ fn residual_chart(when: &str, points: &[Point], heights: &[f64]) -> Lines {
             .collect(),
     };
     let series: Vec<_> = heights.iter().enumerate().map(series).collect();
-    let legend = emptiest_corner(&series);
+    let levels = vec![("± 2 standard errors".into(), 2.0), (String::new(), -2.0)];
+    let legend = emptiest_corner(&series, &levels);
     Lines {
         title: format!("Residual {when}"),
         across: "time from first touch, ms",
         up: "measured less model, standard errors",
         series,
-        levels: vec![("± 2 standard errors".into(), 2.0), (String::new(), -2.0)],
+        levels,
         left: Vec::new(),
         legend,
     }
