@@ -11,8 +11,6 @@ const BEYOND_MM: f64 = 0.1;
 const WITHIN_MM: f64 = 0.01;
 /// Fewest lines in a direction: with fewer, what is loose depends on where they happen to lie, and so on the nozzle.
 const FEWEST_LINES: f64 = 24.0;
-/// A loose line is looked at in so many pieces.
-const PIECES: u8 = 8;
 /// Most lines in a direction.
 const MOST_LINES: f64 = 40.0;
 
@@ -23,7 +21,7 @@ pub(super) struct Laid {
     pub loose_mm2: f64,
     /// Longest line that rests at both ends, mm.
     pub span_mm: f64,
-    /// How far from all support the farthest place of a loose line is, mm; 0 without any.
+    /// How far from all support the farthest end of a loose line is, mm; 0 without any.
     pub loose_reach_mm: f64,
 }
 
@@ -63,8 +61,8 @@ fn laid(hanging: &Contours, support: &Contours, direction: Angle, line_mm: f64) 
                 laid.span_mm = laid.span_mm.max(length);
             } else {
                 laid.loose_mm2 += length * spacing;
-                let along = |piece: u8| ends[0] + length * f64::from(piece) / f64::from(PIECES);
-                let reach_mm = (0..=PIECES).map(|piece| nearest_mm(&[along(piece), y], &edges)).fold(0.0, f64::max);
+                // Its ends: between two that are near support it is carried like a bridge.
+                let reach_mm = ends.iter().map(|x| nearest_mm(&[*x, y], &edges)).fold(0.0, f64::max);
                 laid.loose_reach_mm = laid.loose_reach_mm.max(reach_mm);
             }
         }
