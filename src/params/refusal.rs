@@ -283,7 +283,7 @@ fn keys_of(kind: &str) -> &'static str {
     match kind {
         "extra" => {
             "an extra states mass_g, mass_basis (\"measured\", \"datasheet\" or \"estimate\") and source, and may state \
-             position_mm = [x, y, z] and covers = [\"battery\"], a list of roles: docs/frame-files.md"
+             position_mm = [x, y, z] and covers = [roles]: docs/frame-files.md"
         }
         "material" => "`flexframe schema materials` explains the keys",
         "printer" => "`flexframe schema printer` explains the keys",
