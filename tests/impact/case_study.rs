@@ -50,12 +50,13 @@ fn measured_drops_are_diagnosed_without_falling_for_their_traps() {
     // Given each drop's own touches, landings on one foot leave less than that mean wave does: 20.2 g is the aim.
     let given = &study.landing.gaps.given_touches;
     assert!(given.records_g < study.landing.gaps.held_out.template_g && given.records_g <= 20.2, "{given:?}");
-    // 3.5 g is the aim, and is missed: 4.39 measured (4.32 before late touches were told), and 4.58 (a bound of 4.8) with the sensor's zero in the waves. It was 4.24, with a bound of 4.5,
+    // 3.5 g is the aim, and is missed: 5.78 measured with the drop from 50 cm that noise in its fall had left out (a bound of 4.5 before, 4.22 measured; the fit
+    // moves along a valley of friction and damping, docs/decisions/0035-landings.md); before that 4.39 measured (4.32 before late touches were told), and 4.58 (a bound of 4.8) with the sensor's zero in the waves. It was 4.24, with a bound of 4.5,
     // while slopes were fitted to quartiles of touch times, which missed the mean wave below by 2 g more; and 3.29, with a bound of 3.55, while the drops
     // from 150 cm were among those from which it was learned what touches look like.
-    assert!(given.net_g <= 4.5, "the mean of what is left: {given:?}");
+    assert!(given.net_g <= 6.0, "the mean of what is left: {given:?}");
     assert!(after.net_g < study.judged.before.held_out.net_g);
-    // Landings on one foot, on legs with dry friction, come nearer to 150 cm than any set along the vertical. 6 g is the aim (9.9 measured,
+    // Landings on one foot, on legs with dry friction, come nearer to 150 cm than any set along the vertical. 6 g is the aim (11.3 measured, 9.7 without the drop named above, 9.9 earlier,
     // with an interval of 3.9 to 13.1; 11.6 with quartiles of touch times, and a bound of 0.7 of the gap before; 10.7, with a bound of 0.65 of the gap before, while those drops taught what touches look like;
     // 8.0 to 9.5 by the order of the drops earlier, with a bound of 0.6).
     let population = study.landing.gaps.held_out.net_g;
