@@ -11,7 +11,10 @@ export { expect };
 /** The command line that the page has to agree with. */
 export const program = resolve(process.env["FLEXFRAME"] ?? "../../target/release/flexframe");
 
-type Dropped = { mass_kg: number; peak_sensor_g: number; peak_proper_g: number };
+type Peaks = { peak_sensor_g: number; peak_proper_g: number };
+/** When the lowest body reaches the ground, in a drop of the frame's own mechanics. */
+type Touches = { touches?: { at_ms: number; speed_m_s: number; gap_mm: number } | null };
+type Dropped = { mass_kg: number } & Peaks & Touches;
 
 /** The peak that the command line gives for a drop of a frame, g. */
 export function peakOfDrop(frame: string, model: string, height: number): number {
@@ -24,7 +27,7 @@ export function dropped(frame: string, model: string, height: number): Dropped {
   const options = ["drop", frame, "--model", model, "--height", String(height), "--json", "-q", "-o", folder];
   const answer = JSON.parse(execFileSync(program, options, { encoding: "utf8" })) as {
     body?: { mass_kg: number };
-    heights: { peak_sensor_g: number; peak_proper_g: number }[];
+    heights: (Peaks & Touches)[];
   };
   return { mass_kg: answer.body?.mass_kg ?? NaN, ...answer.heights[0]! };
 }
