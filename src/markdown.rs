@@ -24,6 +24,15 @@ pub fn inert(text: &str) -> String {
     inert
 }
 
+/// A text as code, whatever backticks are in it: a fence is longer than any run of them.
+pub fn code(text: &str) -> String {
+    let longest = text.split(|c| c != '`').map(str::len).max().unwrap_or(0);
+    let fence = "`".repeat(longest + 1);
+    // A backtick at an end would make the fence longer.
+    let apart = if text.starts_with('`') || text.ends_with('`') { " " } else { "" };
+    format!("{fence}{apart}{}{apart}{fence}", text.replace(['\n', '\r'], " "))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -34,6 +43,9 @@ mod tests {
         assert_eq!(inert("![a](http://b) [c]: d [e][f]"), "![a\\](http://b) [c\\]: d [e\\][f]");
         assert_eq!(inert("a@b.c @a @ 1"), "a@\u{200b}b.c @\u{200b}a @ 1");
         assert_eq!(inert("a | b < 3, <5 [mm]"), "a \\| b < 3, <5 [mm]");
+        assert_eq!(code("a.toml:3"), "`a.toml:3`");
+        assert_eq!(code("a`[b](c)``d\n"), "```a`[b](c)``d ```");
+        assert_eq!(code("`"), "`` ` ``");
         assert_eq!(inert("![a\\](b)"), "![a\\\\\\](b)");
     }
 }

@@ -4,7 +4,7 @@ Variables: FLEXFRAME, the program, FRAMES, files or patterns separated by spaces
 gate.sh. The frames are checked in
 the work tree and in a checkout of BASE. A margin is the smallest of a rule's findings: how far the worst of them is from its limit;
 it is negative where the limit is violated. What warns in one of the two has a row of its own, so that it is compared with itself, and
-does not hide the rule's other findings. Exit code: 0, or 2 when there is no such revision.
+does not hide the rule's other findings. Exit code: 0, or 2 when there is no such revision. What could not be checked has a row that says why.
 """
 import json
 import os
@@ -16,7 +16,7 @@ import tempfile
 from pathlib import Path
 
 FLEXFRAME = os.environ.get("FLEXFRAME", "flexframe")
-FRAMES = (os.environ.get("FRAMES") or "frames/*.toml").split()
+FRAMES = [pattern.removeprefix(f"{Path.cwd()}/") for pattern in (os.environ.get("FRAMES") or "frames/*.toml").split()]
 STRICT = os.environ.get("STRICT") == "true"
 BASELINE = os.environ.get("BASELINE")
 
@@ -28,9 +28,14 @@ def git(*arguments):
     return subprocess.run(["git", *arguments], capture_output=True, text=True)
 
 
+# A space without width: behind an @, and within what a forge makes a link of.
+APART = "\u200b"
+
+
 def plain(text):
     """Text of a frame file as text of a table's cell: nothing in it is markup, a link or a mention."""
-    return re.sub(r"[^\w .,:+/-]", lambda sign: f"&#{ord(sign[0])};", " ".join(str(text).split()))
+    line = re.sub(r"@|:(?=//)|(?<=\bwww)(?=\.)", lambda sign: sign[0] + APART, " ".join(str(text).split()))
+    return re.sub(rf"[^\w .,:+/{APART}-]|_", lambda sign: f"&#{ord(sign[0])};", line)
 
 
 def listed(folder):
@@ -41,23 +46,27 @@ def listed(folder):
     own = Path(BASELINE).absolute()
     if folder == Path() or not own.is_file():
         return ["--baseline", str(own)]
-    copy = folder / os.path.relpath(own)
+    way = os.path.relpath(own)
+    # A list outside of this folder is none of the revision's files.
+    if way.startswith(os.pardir):
+        return ["--baseline", str(own)]
+    copy = folder / way
     copy.parent.mkdir(parents=True, exist_ok=True)
     shutil.copyfile(own, copy)
     return ["--baseline", str(copy)]
 
 
 def checked(folder):
-    """The frames of a folder by the name they were asked for; a pattern that matches nothing gives none."""
-    frames = {}
+    """The frames of a folder by the name they were asked for, a pattern that matches nothing gives none; and by pattern why nothing was checked."""
+    frames, reasons = {}, {}
     options = listed(folder)
     for pattern in FRAMES:
         done = subprocess.run([FLEXFRAME, "check", "--json", *options, "--", pattern], cwd=folder, capture_output=True, text=True)
         report = json.loads(done.stdout) if done.stdout else {}
         frames.update((frame["asked"], frame) for frame in report.get("frames", []))
-        if "frames" not in report and folder == Path():
-            print(f"changes.py: {pattern}: {report.get('error', {}).get('message') or done.stderr.strip()}", file=sys.stderr)
-    return frames
+        if "frames" not in report:
+            reasons[pattern] = report.get("error", {}).get("message") or done.stderr.strip()
+    return frames, reasons
 
 
 def standing(finding):
@@ -144,9 +153,10 @@ def rows(asked, before, after):
     return found
 
 
-def page(revision, before, after):
+def page(revision, before, after, reasons):
     lines = ["### flexframe: masses and margins", ""]
     table = [row for asked in sorted(before | after) for row in rows(asked, before.get(asked), after.get(asked))]
+    table += [[plain(pattern), plain(reason), "", "", "", "not checked"] for pattern, reason in reasons.items()]
     if table:
         lines += [f"| frame | | {plain(revision)} | now | change | |", "|---|---|---:|---:|---:|---|"]
         lines += [f"| {' | '.join(row)} |" for row in table]
@@ -161,6 +171,9 @@ def refuse(why):
 
 
 def main(revision):
+    top = git("rev-parse", "--show-toplevel")
+    if top.returncode:
+        refuse(top.stderr.strip())
     commit = git("rev-parse", "--verify", "--quiet", f"{revision}^{{commit}}").stdout.strip()
     if not commit:
         refuse(f"there is no revision {revision} to compare with; a shallow clone does not contain it")
@@ -171,10 +184,10 @@ def main(revision):
             refuse(added.stderr.strip())
         try:
             inside = tree / git("rev-parse", "--show-prefix").stdout.strip()
-            before = checked(inside) if inside.is_dir() else {}
+            before = checked(inside)[0] if inside.is_dir() else {}
         finally:
             git("worktree", "remove", "--force", str(tree))
-    print(page(revision, before, checked(Path())))
+    print(page(revision, before, *checked(Path())))
 
 
 if __name__ == "__main__":

@@ -11,7 +11,10 @@ trap 'rm -f "$page"' EXIT
 
 { echo "$mark"; python3 "$here/changes.py" "$BASE"; } >"$page"
 cat "$page"
-own=$(gh api --paginate "repos/$GH_REPO/issues/$PULL_REQUEST/comments" --jq ".[] | select(.body | startswith(\"$mark\")) | .id" | head -n 1) || own=""
+# Only a comment of a bot is ours: anybody may begin one with the mark.
+ours=".[] | select(.user.type == \"Bot\" and (.body | startswith(\"$mark\"))) | .id"
+found=$(gh api --paginate "repos/$GH_REPO/issues/$PULL_REQUEST/comments" --jq "$ours") || found=""
+own=${found%%$'\n'*}
 if [[ -n $own ]]; then
     said=$(gh api --method PATCH "repos/$GH_REPO/issues/comments/$own" --field "body=@$page" 2>&1) && exit
 else

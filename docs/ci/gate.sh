@@ -21,6 +21,8 @@ fi
 shopt -s globstar nullglob dotglob
 flexframe=${FLEXFRAME:-flexframe}
 read -rd '' -a frames <<<"${FRAMES:-frames/*.toml}"
+# An absolute pattern below this folder is that of the repository's files: git names them from here.
+frames=("${frames[@]#"$PWD/"}")
 
 options=()
 [[ ${STRICT:-} == true ]] && options+=(--strict)
@@ -31,10 +33,25 @@ check() { "$flexframe" check "${options[@]}" "$@" -- "${frames[@]}"; }
 # The first call computes the findings and caches them; the others only convert them to another format.
 check --format "${FORMAT:-text}"
 code=$?
+# The program could not be started: the machine is wrong, not a frame.
+((code == 126 || code == 127)) && exit 3
+
+# fails CODE: the job ends with the highest code.
+fails() { (($1 > code)) && code=$1; }
+
+# writes FILE: it can be written, at its end.
+writes() {
+    : >>"$1" && return
+    echo "gate.sh: $1 cannot be written" >&2
+    fails 3
+    return 1
+}
 
 # report FORMAT FILE: an empty file would be read as a broken report, or as one without findings.
 report() {
+    writes "$2" || return
     check --format "$1" >"$2" 2>/dev/null
+    (($? == 3)) && fails 3
     # A link, such as /dev/stdout, is not ours.
     [[ -f $2 && ! -L $2 && ! -s $2 ]] || return
     rm -f -- "$2"
@@ -42,10 +59,10 @@ report() {
 }
 [[ -n ${JUNIT:-} ]] && report junit "$JUNIT"
 [[ -n ${SARIF:-} ]] && report sarif "$SARIF"
-[[ -n ${SUMMARY:-} ]] && check --format markdown >>"$SUMMARY" 2>/dev/null
-
-# fails CODE: the job ends with the highest code.
-fails() { (($1 > code)) && code=$1; }
+if [[ -n ${SUMMARY:-} ]] && writes "$SUMMARY"; then
+    check --format markdown >>"$SUMMARY" 2>/dev/null
+    (($? == 3)) && fails 3
+fi
 
 # A frame also depends on its bases: it may change although its own file does not.
 some_file_changed() {
@@ -76,8 +93,10 @@ was_refused() {
     (($? == 2))
 }
 
-# notice FILE TEXT: said without an effect on the exit code.
-notice() {
+# annotate KIND FILE TEXT: said without an effect on the exit code. KIND is notice or error.
+annotate() {
+    local kind=$1
+    shift
     if [[ ${FORMAT:-text} != github ]]; then
         echo "gate.sh: $1: $2" >&2
         return
@@ -85,29 +104,44 @@ notice() {
     # The name of a file may contain what ends a property, or the command.
     local file=${1//%/%25}
     file=${file//$'\r'/%0D} file=${file//$'\n'/%0A} file=${file//:/%3A}
-    echo "::notice file=${file//,/%2C},title=flexframe::$2"
+    local text=${2//%/%25}
+    text=${text//$'\r'/%0D} text=${text//$'\n'/%0A}
+    echo "::$kind file=${file//,/%2C},title=flexframe::$text"
 }
 
 compare() {
-    local page grown
+    local page grown said
     # A new file has no earlier revision.
     [[ $1 == *.toml && -f $1 ]] && git cat-file -e "$BASE:./$1" 2>/dev/null || return
-    page=$("$flexframe" diff --git "$BASE" --format markdown "${limits[@]}" -- "$1")
+    said=$(mktemp) || return
+    page=$("$flexframe" diff --git "$BASE" --format markdown "${limits[@]}" -- "$1" 2>"$said")
     grown=$?
+    cat -- "$said" >&2
+    # What grew too much fails the job, so it is told beside the file, too.
+    [[ $grown == 1 && ${FORMAT:-text} == github ]] && annotate error "$1" "$(<"$said")"
+    rm -f -- "$said"
     if ((grown == 2)) && was_refused "$1"; then
-        notice "$1" "check refuses the frame as it is in the revision to compare with (the log has the reason), so it counts as new"
+        annotate notice "$1" "check refuses the frame as it is in the revision to compare with (the log has the reason), so it counts as new"
         return
     fi
     fails "$grown"
     # A frame without differences is not reported.
-    [[ -z $page || $page == *$'\nNo difference.'* ]] || printf '%s\n' "$page" >>"${SUMMARY:-/dev/stdout}"
+    [[ -z $page || $page == *$'\nNo difference.'* ]] && return
+    if [[ -z ${SUMMARY:-} ]]; then
+        printf '%s\n' "$page"
+    elif writes "$SUMMARY"; then
+        printf '%s\n' "$page" >>"$SUMMARY"
+    fi
 }
 
 if [[ -n ${BASE:-} ]]; then
     limits=()
     read -rd '' -a increases <<<"${FAIL_ON_INCREASE:-}"
     for increase in "${increases[@]}"; do limits+=(--fail-on-increase "$increase"); done
-    if ! git rev-parse --verify --quiet "$BASE^{commit}" >/dev/null; then
+    if ! git rev-parse --show-toplevel >/dev/null; then
+        echo "gate.sh: git does not read this folder, so nothing is compared" >&2
+        fails 2
+    elif ! git rev-parse --verify --quiet "$BASE^{commit}" >/dev/null; then
         echo "gate.sh: there is no revision $BASE to compare with; a shallow clone does not contain it" >&2
         fails 2
     elif some_file_changed; then

@@ -262,7 +262,10 @@ fn is_described(kind: &str) -> bool {
 /// Where the names of a kind stand.
 fn known_names(kind: &str) -> String {
     match kind {
-        "base" => format!("a base is a file beside this one, or a preset: {}", super::preset::names().collect::<Vec<_>>().join(", ")),
+        "base" => format!(
+            "a base is a file beside this one whose name ends in .toml, or a preset: {}",
+            super::preset::names().collect::<Vec<_>>().join(", ")
+        ),
         "material" => "`flexframe list materials` lists the materials; [override.materials.NAME] describes one of your own".into(),
         "printer" => "`flexframe list printers` lists the printers; [override.printers.NAME] describes one of your own".into(),
         ROLE => format!("the roles are {}", super::roles::ROLES.iter().map(|(role, ..)| *role).collect::<Vec<_>>().join(", ")),

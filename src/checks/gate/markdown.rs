@@ -5,7 +5,7 @@ use std::fmt::Write;
 use super::outcome::{CheckedFrame, Outcome, Refused};
 use super::policy::Standing;
 use crate::checks::{self, Finding, Verdict};
-use crate::markdown::inert;
+use crate::markdown::{code, inert};
 
 /// A table of frames, then what is wrong with each, then the tightest limits of each.
 pub fn page(outcomes: &[Outcome]) -> String {
@@ -42,7 +42,7 @@ fn row(held: &CheckedFrame) -> String {
 
 fn refusal(asked: &str, refused: &Refused) -> String {
     let Refused { message, remedy, spot, .. } = refused;
-    let place = spot.as_ref().map_or(String::new(), |spot| format!(" (`{}:{}:{}`)", spot.file, spot.line, spot.column));
+    let place = spot.as_ref().map_or(String::new(), |spot| format!(" ({})", code(&format!("{}:{}:{}", spot.file, spot.line, spot.column))));
     format!("\n### {}\n\nRefused{place}: {}. {}\n", inert(asked), inert(message), inert(remedy))
 }
 
@@ -50,7 +50,7 @@ fn section(held: &CheckedFrame) -> String {
     let mut text = format!("\n### {}\n\n", inert(&held.frame));
     for (standing, word) in [(Standing::Fails, "**fails**"), (Standing::Warning, "warning"), (Standing::Accepted, "accepted")] {
         for judged in held.of(standing) {
-            let place = judged.spots.first().map_or(String::new(), |spot| format!(" (`{}:{}`)", spot.file, spot.line));
+            let place = judged.spots.first().map_or(String::new(), |spot| format!(" ({})", code(&format!("{}:{}", spot.file, spot.line))));
             let _ = writeln!(text, "- {word}: {}{}{place}", inert(&judged.message()), inert(&judged.made_of));
         }
     }
