@@ -293,7 +293,7 @@ fn entry<T: serde::de::DeserializeOwned + schemars::JsonSchema>(
 }
 
 /// The fields that an entry may have.
-fn fields<T: schemars::JsonSchema>() -> Vec<String> {
+pub(super) fn fields<T: schemars::JsonSchema>() -> Vec<String> {
     let schema = schemars::schema_for!(T);
     schema.get("properties").and_then(serde_json::Value::as_object).into_iter().flat_map(serde_json::Map::keys).cloned().collect()
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::carried::carrier;
-use super::choice::{CATALOGUES, Catalogues};
+use super::choice::{CATALOGUES, Catalogues, fields};
 use super::figure::within_bounds;
 use super::follows;
 use super::frame::{BoughtItem, Extra, Frame, catalogue};
@@ -247,9 +247,6 @@ fn in_short(name: &str) -> String {
     if name.chars().count() > MOST_LETTERS { "NAME".into() } else { name.into() }
 }
 
-/// What an extra may state.
-const EXTRA_FIELDS: [&str; 5] = ["mass_g", "mass_basis", "source", "position_mm", "covers"];
-
 fn extras(file: &FrameFile) -> Result<BTreeMap<String, Extra>, Refusal> {
     let mut tables: BTreeMap<String, toml::Table> = BTreeMap::new();
     for (key, entry) in &file.entries {
@@ -263,7 +260,7 @@ fn extras(file: &FrameFile) -> Result<BTreeMap<String, Extra>, Refusal> {
             }
             (None, Value::Other(toml::Value::Table(_))) => drop(tables.entry(rest.into()).or_default()),
             // A field of an extra whose name was forgotten, or an extra that is no table.
-            (None, _) if EXTRA_FIELDS.contains(&rest) => {
+            (None, _) if fields::<Extra>().iter().any(|field| field == rest) => {
                 let nearest = vec![format!("extras.NAME.{rest}")];
                 return Err(file.refuse(key, Reason::UnknownKey { key: key.clone(), nearest }));
             }

@@ -50,24 +50,23 @@ fn measured_drops_are_diagnosed_without_falling_for_their_traps() {
     // Given each drop's own touches, landings on one foot leave less than that mean wave does: 20.2 g is the aim.
     let given = &study.landing.gaps.given_touches;
     assert!(given.records_g < study.landing.gaps.held_out.template_g && given.records_g <= 20.2, "{given:?}");
-    // 3.5 g is the aim, and is missed: 5.78 measured with the drop from 50 cm that noise in its fall had left out (a bound of 4.5 before, 4.22 measured; the fit
-    // moves along a valley of friction and damping, docs/decisions/0035-landings.md); before that 4.39 measured (4.32 before late touches were told), and 4.58 (a bound of 4.8) with the sensor's zero in the waves. It was 4.24, with a bound of 4.5,
-    // while slopes were fitted to quartiles of touch times, which missed the mean wave below by 2 g more; and 3.29, with a bound of 3.55, while the drops
-    // from 150 cm were among those from which it was learned what touches look like.
-    assert!(given.net_g <= 6.0, "the mean of what is left: {given:?}");
+    // 3.5 g is the aim: 3.22 measured. By plain least squares of the legs, before, it was 3.3 to 5.8 (a bound of 6.0).
+    assert!(given.net_g <= 3.5, "the mean of what is left: {given:?}");
     assert!(after.net_g < study.judged.before.held_out.net_g);
-    // Landings on one foot, on legs with dry friction, come nearer to 150 cm than any set along the vertical. 6 g is the aim (11.3 measured, 9.7 without the drop named above, 9.9 earlier,
-    // with an interval of 3.9 to 13.1; 11.6 with quartiles of touch times, and a bound of 0.7 of the gap before; 10.7, with a bound of 0.65 of the gap before, while those drops taught what touches look like;
-    // 8.0 to 9.5 by the order of the drops earlier, with a bound of 0.6).
+    // Landings on one foot, on legs with dry friction, come nearer to 150 cm than any set along the vertical. 6 g is the aim, missed by a little: 6.05 measured (8.0 to 11.6 before, with bounds of 0.6 to 0.7 of
+    // the gap before).
     let population = study.landing.gaps.held_out.net_g;
     let [least_g, _] = study.landing.gaps.held_out_ci95_g.expect("150 cm is held out");
     let before_g = study.judged.before.held_out.net_g;
-    // 0.65 of the gap before with the drop named above (a bound of 0.6 without it).
-    assert!(population < 0.67 * before_g && population < after.net_g && least_g < 0.6 * before_g, "{population} {least_g}");
-    // They pass every test but `enough`: what single drops keep once their touches are given has a mean. With a mount of the sensor all tests
-    // were passed until that was looked at; the mount does not make it smaller.
+    assert!(
+        population <= 6.1 && population < 0.35 * before_g && population < after.net_g && least_g < population,
+        "{population} {least_g}"
+    );
+    // They fail `enough`: what single drops keep once their touches are given has a mean. With a mount of the sensor all tests
+    // were passed until that was looked at; the mount does not make it smaller. Since legs are weighed, `constant` sees that friction is not the same at 50 and at 100 cm (p = 5e-5; before,
+    // with errors twice as large, 0.2): what resists is no constant force.
     let failed: Vec<&str> = study.landing.gates.iter().filter(|gate| !gate.passed).map(|gate| gate.id).collect();
-    assert_eq!(failed, ["enough"]);
+    assert_eq!(failed, ["constant", "enough"]);
     assert!(study.landing.rubs() && study.landing.given_touches.p < 0.01 && study.landing.refused.is_some());
     let kept = include_str!("../../docs/case-study.md");
     assert!(study.page() == kept, "docs/case-study.md is out of date: cargo run --release --example case_study");

@@ -7,14 +7,18 @@ use flexframe::impact::diagnose::{ComparedAxes, EffectEstimate, PreparedDrops, V
 use flexframe::impact::effects::{Channel, Model, Sensor, by_id};
 use flexframe::impact::fit::{Chosen, Keep, Waves};
 use flexframe::impact::landing::{
-    ATTITUDE_SENSOR, COULOMB_FRICTION, FOOT_MODE, FitUncertainty, LANDING_TILT, LandingAssessment, LandingEvidence, LandingFit,
-    LandingProblem, LandingScatter, LeggedBody, ObservedLandings, TouchEvidence, UnjudgedLandings,
+    ATTITUDE_SENSOR, COULOMB_FRICTION, FOOT_MODE, FitUncertainty, HeightLandings, LANDING_TILT, LandingAssessment, LandingEvidence,
+    LandingFit, LandingProblem, LandingScatter, LeggedBody, ObservedLandings, Population, Slopes, TouchEvidence, UnjudgedLandings,
+    likeliest_read_s,
 };
 use flexframe::impact::measured::{self, DropSet, FileFormat, StaticTest};
 use flexframe::impact::request::{Compared, DiagnosisRequest, RequestError};
 use flexframe::impact::synthetic::{HeavyFeet, Landings, Plan, Stalls, SyntheticRecord, records};
 use flexframe::report::data::diagnosis_data;
 use flexframe::units::Angle;
+use rand::SeedableRng;
+use rand_distr::{Distribution, StandardNormal};
+use rand_pcg::Pcg64;
 
 const LEVEL: Landings = Landings {
     rate_rad_s: 0.0,
@@ -230,6 +234,55 @@ fn planted_turning_rates_are_told_within_a_tenth_and_no_slope_at_release_is_made
     assert!(all.iter().all(|(_, at_release_rad)| *at_release_rad == 0.0), "{all:?}");
     let squares = all.iter().map(|(rate, _)| (rate / rate_rad_s - 1.0).powi(2)).sum::<f64>() / all.len() as f64;
     assert!(squares.sqrt() < 0.1, "{all:?}");
+}
+
+/// Touches that fit no slope as well as those of simulated landings are told by how far they are off; those that do are not told worse than they are.
+#[test]
+fn planted_touch_times_that_are_read_worse_than_simulated_ones_are_told() {
+    let plan = Plan { heights_m: vec![0.5, 1.0], ..plan(Landings { rate_rad_s: 0.25, ..LEVEL }, 17) };
+    looked_at(&plan, |problem, rough, _| {
+        let tables = problem.tables(&rough.legs, &rough.slopes).expect("can be simulated");
+        let read_s = |observed: &ObservedLandings| {
+            let heights: Vec<&HeightLandings> = observed.heights.iter().collect();
+            likeliest_read_s(&heights, &tables, false).expect("feet were seen")
+        };
+        let simulated_s = problem.observed.read_s();
+        let as_they_are_s = read_s(problem.observed);
+        assert!((simulated_s..2.0 * simulated_s).contains(&as_they_are_s), "{as_they_are_s} {simulated_s}");
+        let mut random = Pcg64::seed_from_u64(3);
+        let mut worse = problem.observed.clone();
+        let off_s = 1.2e-3;
+        for drop in worse.heights.iter_mut().flat_map(|height| &mut height.drops) {
+            drop.touches =
+                drop.touches.later_by(std::array::from_fn(|_| off_s * Distribution::<f64>::sample(&StandardNormal, &mut random)));
+        }
+        let found_s = read_s(&worse);
+        assert!((0.8 * off_s..1.6 * off_s).contains(&found_s), "{found_s} {as_they_are_s}");
+        // What is told of later heights is not told better.
+        let told = worse.read_no_better(found_s);
+        assert_eq!((told.least_read_s(), told.read_s()), (found_s, found_s));
+    });
+}
+
+/// Slopes that may be the true ones have none at release first, the others turn less on the way, and a population of all of them is less steep from a height
+/// that no drop came from than the likeliest one.
+#[test]
+fn planted_populations_of_a_height_without_drops_have_all_slopes_that_may_be_true() {
+    let plan = Plan { heights_m: vec![0.5, 1.0], ..plan(Landings { rate_rad_s: 0.3, ..LEVEL }, 23) };
+    looked_at(&plan, |problem, rough, _| {
+        let likely = problem.likely_slopes(rough).expect("can be simulated");
+        assert_eq!(likely[0].0.at_release_rad, 0.0);
+        assert!(likely.windows(2).all(|pair| pair[1].0.rate_rad_s <= pair[0].0.rate_rad_s + 1e-3), "{likely:?}");
+        let tables = problem.tables(&rough.legs, &rough.slopes).expect("can be simulated");
+        let of = |slopes: &[(Slopes, f64)]| Population::likely(&tables[0], slopes).weights().clone();
+        let [one, other] = [&likely[..1], &likely[4..5]].map(of);
+        assert!((one.clone() - Population::of(&tables[0], &likely[0].0).weights()).norm() < 1e-15);
+        let half = of(&[(likely[0].0, 3.0), (likely[4].0, 3.0)]);
+        assert!((half - 0.5 * (one + other)).norm() < 1e-12);
+        // Landings from 1.5 m are steeper by the likeliest slopes than by any with a part at release.
+        let at_release = |slopes: &Slopes| slopes.deviation_rad(0.55);
+        assert!(likely[1..].iter().all(|(slopes, _)| at_release(slopes) < at_release(&likely[0].0)), "{likely:?}");
+    });
 }
 
 /// Legs twice as stiff have other records, whatever their mean waves are.

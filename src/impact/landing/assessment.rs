@@ -108,8 +108,8 @@ impl LandingAssessment {
         let prepared = PreparedDrops::of(evidence.fitted, evidence.model)?;
         let plain = LandingProblem::plain(LeggedBody::of(evidence.model)?, evidence.model, &prepared.problem, &touches);
         let held = evidence.held_out.map(|waves| (waves, evidence.observed.of_heights(waves)));
-        let ChosenModel { touches: fitted_touches, parts, fit, refused } = ChosenModel::of(&plain, evidence, held.as_ref())?;
-        let chosen = LandingProblem { observed: &fitted_touches, ..plain.with(parts) };
+        let ChosenModel { touches: fitted_touches, parts, weights, fit, refused } = ChosenModel::of(&plain, evidence, held.as_ref())?;
+        let chosen = LandingProblem { observed: &fitted_touches, weights, ..plain.with(parts) };
         let PopulationFit { fit, waves, adequacy, given_touches, uncertainty, spread_p } = PopulationFit::of(evidence, &chosen, fit)?;
         let problem = chosen.at(&waves);
         let predicted = problem.mean_windows(&fit.legs, &fit.slopes)?;
@@ -294,9 +294,8 @@ fn covariates(fitted: &Waves, observed: &ObservedLandings, tables: &[LandingTabl
         let read: Vec<Option<&LegTouches>> =
             group.trials.iter().map(|trial| height.drops.iter().find(|drop| drop.trial == *trial).map(|drop| &drop.touches)).collect();
         times.push(read.iter().map(|touches| touches.map(|touches| touches.delays_s().to_vec())).collect());
-        slopes.push(
-            read.iter().map(|touches| touches.map(|touches| vec![given_touches(table, &population, touches, read_s).slope_rad])).collect(),
-        );
+        slopes
+            .push(read.iter().map(|touches| touches.map(|touches| vec![given_touches(&population, touches, read_s).slope_rad])).collect());
     }
     vec![Covariate { id: "leg_times".into(), values: times }, Covariate { id: "landing_slope".into(), values: slopes }]
 }

@@ -10,6 +10,7 @@ use super::cosine::CosineSize;
 use super::fitting::{LandingFit, LandingProblem};
 use super::gate::Gate;
 use super::observed::ObservedLandings;
+use super::population::Population;
 use super::sensor_attitude::{ATTITUDE_SENSOR, SensorAttitude};
 use super::table::LandingTable;
 use crate::figures::p_value;
@@ -45,7 +46,7 @@ impl AttitudeAssessment {
         seed: u64,
     ) -> Option<Self> {
         let readings = |problem: &LandingProblem, height: usize, table: &LandingTable| {
-            HeightReadings::of(&problem.observed.heights[height], &problem.left_by_drops(height, table, &fit.slopes))
+            HeightReadings::of(&problem.observed.heights[height], &problem.left_by_drops(height, &Population::of(table, &fit.slopes)))
         };
         let fitted = problem.waves.chosen.iter().zip(tables).map(|(height, table)| readings(problem, *height, table));
         let fitted: Vec<HeightReadings> = fitted.collect::<Option<_>>()?;

@@ -1,9 +1,13 @@
 //! The model of landings that single drops pay for: more parts than legs and turning slopes only where they explain enough.
 
+use std::sync::Arc;
+
+use super::drop_weights::DropWeights;
 use super::fitting::{LandingFit, LandingProblem, ModelParts};
 use super::gaps::held_out_gaps;
 use super::landing_evidence::LandingEvidence;
-use super::observed::ObservedLandings;
+use super::observed::{HeightLandings, ObservedLandings};
+use super::reading_error::likeliest_read_s;
 use super::refused_effect::RefusedEffect;
 use super::touch_adequacy::TouchAdequacy;
 use crate::impact::fit::Waves;
@@ -17,6 +21,8 @@ pub struct ChosenModel {
     pub touches: ObservedLandings,
     /// What it has.
     pub parts: ModelParts,
+    /// What the readings of drops weigh.
+    pub weights: Arc<DropWeights>,
     /// The fit.
     pub fit: LandingFit,
     /// What explains the fitted heights better, and is left out all the same.
@@ -28,7 +34,13 @@ impl ChosenModel {
     pub fn of(plain: &LandingProblem, evidence: &LandingEvidence, held: Option<&(&Waves, ObservedLandings)>) -> Option<Self> {
         // How touches are read depends on the landings, and little on whether these are those of the last fit.
         let rough = plain.fitted(None)?;
-        let as_read = |fit: &LandingFit| Some(plain.observed.with_errors(&plain.tables(&fit.legs, &fit.slopes)?, &fit.slopes));
+        let as_read = |fit: &LandingFit| {
+            let tables = plain.tables(&fit.legs, &fit.slopes)?;
+            let observed = plain.observed.with_errors(&tables, &fit.slopes);
+            let heights: Vec<&HeightLandings> = plain.waves.chosen.iter().map(|height| &observed.heights[*height]).collect();
+            let read_s = likeliest_read_s(&heights, &tables, plain.parts.at_release)?;
+            Some(observed.read_no_better(read_s))
+        };
         let of_rough = as_read(&rough)?;
         let (without, first) = LandingProblem { observed: &of_rough, ..plain.clone() }.fitted_with_release_if_it_pays(&rough)?;
         let rubbing = without.fitted_with_friction_if_it_pays(&first);
@@ -47,7 +59,9 @@ impl ChosenModel {
         };
         let refused = more.as_ref().and_then(|(problem, fit)| RefusedEffect::of([(problem, fit), (&rigid, &first)], unseen_g));
         let (problem, fit) = more.filter(|_| refused.is_none()).unwrap_or((rigid, first));
-        let parts = problem.parts;
-        Some(Self { touches, parts, fit, refused })
+        // What a model leaves that lacks an effect varies as that effect does: parts are chosen with all readings alike, and numbers fitted with weights by the
+        // model that was chosen.
+        let (problem, fit) = problem.weighed_again(&fit)?;
+        Some(Self { parts: problem.parts, weights: problem.weights.clone(), touches, fit, refused })
     }
 }

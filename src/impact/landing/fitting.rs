@@ -13,6 +13,7 @@ use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
 use super::descent::Descent;
+use super::drop_weights::DropWeights;
 use super::fit_step::SLOPES;
 use super::foot_mode::FootMode;
 use super::kept_tables::{KeptTables, TableKey};
@@ -66,6 +67,8 @@ pub struct LandingProblem<'a> {
     pub parts: ModelParts,
     /// Landings that were simulated, of this body and model.
     pub(super) kept: Arc<KeptTables>,
+    /// What the readings of drops weigh.
+    pub(super) weights: Arc<DropWeights>,
 }
 
 /// A fit.
@@ -79,14 +82,15 @@ pub struct LandingFit {
     pub(super) scaled: Vec<f64>,
     /// Which of them ended at a bound.
     pub(super) at_bound: Vec<bool>,
-    /// Sum of squares of what it leaves of the drops, in units of their heights' waves.
+    /// Sum of squares of what it leaves of the drops, weighed.
     pub(super) sum: f64,
 }
 
 impl<'a> LandingProblem<'a> {
     /// Landings on legs of a spring and a damper, of which nothing else is asked.
     pub fn plain(body: LeggedBody, model: &'a Model, waves: &'a FitProblem, observed: &'a ObservedLandings) -> Self {
-        Self { body, model, waves, observed, parts: ModelParts::default(), kept: Arc::default() }
+        let weights = Arc::new(DropWeights::alike(waves));
+        Self { body, model, waves, observed, parts: ModelParts::default(), kept: Arc::default(), weights }
     }
 }
 
@@ -143,6 +147,22 @@ impl LandingProblem<'_> {
     #[must_use]
     pub fn with(&self, parts: ModelParts) -> Self {
         Self { parts, ..self.clone() }
+    }
+
+    /// The same with drops' readings weighed by what a fit leaves of them; `None` where a landing is lost.
+    pub fn weighed_by(&self, fit: &LandingFit) -> Option<Self> {
+        let tables = self.tables(&fit.legs, &fit.slopes)?;
+        let chosen = self.waves.chosen.iter().zip(tables.iter());
+        let left = chosen.map(|(height, table)| (*height, self.left_by_drops(*height, &Population::of(table, &fit.slopes))));
+        let weights = DropWeights::of(self.waves, &left.collect::<Vec<_>>())?;
+        Some(Self { weights: Arc::new(weights), ..self.clone() })
+    }
+
+    /// The same, and the fit that goes on from there.
+    pub fn weighed_again(&self, fit: &LandingFit) -> Option<(Self, LandingFit)> {
+        let weighed = self.weighed_by(fit)?;
+        let fit = weighed.fitted(Some(fit))?;
+        Some((weighed, fit))
     }
 
     /// The same at some heights alone.
@@ -217,33 +237,34 @@ impl LandingProblem<'_> {
         Some([&scaled[..scaled.len() - SLOPES], &[rate_rad_s, at_release_rad]].concat())
     }
 
-    /// What the predictions from their touches leave of all drops, one below the other, in units of their heights' waves.
+    /// Slopes that may be those of a fit's drops, and how likely they are: beside each slope at release the likeliest turning rate. What a height has that no fit
+    /// saw is the mean over all of them; where nothing is known of slopes at release the likeliest population has none, the steepest of all landings from
+    /// higher up. `None` where a landing is lost.
+    pub fn likely_slopes(&self, fit: &LandingFit) -> Option<Vec<(Slopes, f64)>> {
+        if fit.slopes.at_release_rad > 0.0 {
+            return Some(vec![(fit.slopes, 1.0)]);
+        }
+        let tables = self.tables(&fit.legs, &fit.slopes)?;
+        Some(TouchLikelihood::of(&self.heights(), &tables)?.beside_slopes_at_release())
+    }
+
+    /// What the predictions from their touches leave of all drops, one below the other, weighed.
     fn left_of_drops(&self, scaled: &[f64]) -> Option<DVector<f64>> {
         let (legs, slopes) = self.meaning(scaled);
         let tables = self.tables(&legs, &slopes)?;
         let mut all = Vec::new();
         for (height, table) in self.waves.chosen.iter().zip(tables.iter()) {
-            let unit_g = self.unit_g(*height);
-            all.extend(
-                self.left_by_drops(*height, table, &slopes)
-                    .iter()
-                    .flat_map(|left| left.iter().map(|left| left / unit_g).collect::<Vec<_>>()),
-            );
+            let left = self.left_by_drops(*height, &Population::of(table, &slopes));
+            all.extend(left.iter().flat_map(|left| self.weights.weighed(*height, left).as_slice().to_vec()));
         }
         Some(DVector::from_vec(all))
     }
 
     /// What the prediction from their touches leaves of the drops of a height, g.
-    pub fn left_by_drops(&self, height: usize, table: &LandingTable, slopes: &Slopes) -> Vec<DVector<f64>> {
-        let (population, height) = (Population::of(table, slopes), &self.observed.heights[height]);
-        let expected = |drop: &ObservedLanding| window_given_touches(table, &population, &drop.touches, height.read_s());
+    pub fn left_by_drops(&self, height: usize, population: &Population) -> Vec<DVector<f64>> {
+        let height = &self.observed.heights[height];
+        let expected = |drop: &ObservedLanding| window_given_touches(population, &drop.touches, height.read_s());
         height.drops.par_iter().map(|drop| DVector::from_column_slice(&drop.window) - expected(drop)).collect()
-    }
-
-    /// Root mean square of a height's mean wave, g: readings vary in proportion to it.
-    fn unit_g(&self, height: usize) -> f64 {
-        let mean = &self.waves.means[height].wave;
-        (mean.iter().map(|reading| reading * reading).sum::<f64>() / mean.len() as f64).sqrt().max(1.0)
     }
 
     /// Change of the predicted mean windows, g, with each parameter on the scale of the fit.

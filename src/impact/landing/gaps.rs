@@ -49,19 +49,25 @@ struct Unseen {
 
 impl Unseen {
     /// Of one height of a problem.
-    fn of(problem: &LandingProblem, group: &WaveGroup, height: usize, fit: &LandingFit, seed: u64) -> Option<Self> {
+    fn of(
+        problem: &LandingProblem,
+        group: &WaveGroup,
+        height: usize,
+        fit: &LandingFit,
+        likely: &[(Slopes, f64)],
+        seed: u64,
+    ) -> Option<Self> {
         let at = problem.waves.at(&[height]);
         let own = problem.at(&at);
-        let predicted = own.mean_windows(&fit.legs, &fit.slopes)?.as_slice().to_vec();
         let tables = own.tables(&fit.legs, &fit.slopes)?;
-        let left = own.left_by_drops(height, &tables[0], &fit.slopes);
-        let population = Population::of(&tables[0], &fit.slopes);
+        let population = Population::likely(&tables[0], likely);
+        let predicted = population.mean_window().as_slice().to_vec();
+        let left = own.left_by_drops(height, &population);
         let landings = &problem.observed.heights[height];
         let touched = TouchLikelihood::of(&[landings], &tables)?.slopes(problem.parts.at_release);
         let own_slopes = Population::of(&tables[0], &touched.slopes).mean_window().as_slice().to_vec();
         let (drops, read_s) = (&landings.drops, landings.read_s());
-        let waves: Vec<DVector<f64>> =
-            drops.iter().map(|drop| window_given_touches(&tables[0], &population, &drop.touches, read_s)).collect();
+        let waves: Vec<DVector<f64>> = drops.iter().map(|drop| window_given_touches(&population, &drop.touches, read_s)).collect();
         let mut rng = Pcg64::seed_from_u64(seed);
         let mut order: Vec<usize> = (0..drops.len()).collect();
         let dealt = (0..PERMUTED).map(|_| {
@@ -149,8 +155,9 @@ pub fn held_out_gaps(
     let waves = waves_of(problem, held);
     let touches = as_read(problem, fit, held, touches)?;
     let other = LandingProblem { waves: &waves, observed: &touches, ..problem.clone() };
+    let likely = problem.likely_slopes(fit)?;
     let unseen: Option<Vec<Unseen>> =
-        held.groups.iter().enumerate().map(|(height, group)| Unseen::of(&other, group, height, fit, seed)).collect();
+        held.groups.iter().enumerate().map(|(height, group)| Unseen::of(&other, group, height, fit, &likely, seed)).collect();
     Some(gaps_of(&unseen?, fitted_gap(problem, fitted, fit)?))
 }
 
@@ -158,7 +165,8 @@ pub fn held_out_gaps(
 pub fn as_read(problem: &LandingProblem, fit: &LandingFit, held: &Waves, touches: &ObservedLandings) -> Option<ObservedLandings> {
     let waves = waves_of(problem, held);
     let unread = LandingProblem { waves: &waves, observed: touches, ..problem.clone() };
-    Some(touches.with_errors(&unread.tables(&fit.legs, &fit.slopes)?, &fit.slopes))
+    let errors = touches.with_errors(&unread.tables(&fit.legs, &fit.slopes)?, &fit.slopes);
+    Some(errors.read_no_better(problem.observed.least_read_s()))
 }
 
 /// Waves of other heights than the fitted ones; whitening is of these, and not asked for.
@@ -187,8 +195,10 @@ pub fn left_out_gaps(problem: &LandingProblem, fitted: &Waves, fit: &LandingFit,
     let mut unseen = Vec::new();
     for out in &all {
         let others: Vec<usize> = all.iter().copied().filter(|height| height != out).collect();
-        let refit = if others.is_empty() { fit.clone() } else { problem.at(&problem.waves.at(&others)).fitted(Some(fit))? };
-        unseen.push(Unseen::of(problem, &fitted.groups[*out], *out, &refit, seed)?);
+        let waves = problem.waves.at(if others.is_empty() { &all } else { &others });
+        let of_others = problem.at(&waves);
+        let refit = if others.is_empty() { fit.clone() } else { of_others.fitted(Some(fit))? };
+        unseen.push(Unseen::of(problem, &fitted.groups[*out], *out, &refit, &of_others.likely_slopes(&refit)?, seed)?);
     }
     Some(gaps_of(&unseen, fitted_gap(problem, fitted, fit)?))
 }

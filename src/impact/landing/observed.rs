@@ -51,6 +51,8 @@ pub struct HeightLandings {
     pub drops: Vec<ObservedLanding>,
     /// How their touch times are read; `None` before landings were simulated.
     pub errors: Option<TouchErrors>,
+    /// Least standard deviation of a touch time, s.
+    pub least_read_s: f64,
 }
 
 /// All drops whose lateral axes could be read.
@@ -78,7 +80,7 @@ impl ObservedLandings {
                     Some(ObservedLanding { trial: trial.clone(), window: window.clone(), axes, touches, pattern })
                 })
                 .collect();
-            HeightLandings { height_m: group.height_m, decimation: group.decimation, drops, errors: None }
+            HeightLandings { height_m: group.height_m, decimation: group.decimation, drops, errors: None, least_read_s: LEAST_READ_S }
         });
         let heights: Vec<HeightLandings> = heights.collect();
         heights.iter().all(|height| height.drops.len() >= FEWEST).then_some(Self { heights })
@@ -93,6 +95,17 @@ impl ObservedLandings {
             HeightLandings { errors: TouchErrors::of(&patterns, table, &weights), ..height.clone() }
         };
         Self { heights: self.heights.par_iter().zip(tables).map(with).collect() }
+    }
+
+    /// The same with touch times that are not read better than within so much, s.
+    #[must_use]
+    pub fn read_no_better(&self, least_read_s: f64) -> Self {
+        Self { heights: self.heights.iter().map(|height| HeightLandings { least_read_s, ..height.clone() }).collect() }
+    }
+
+    /// Least standard deviation of a touch time, the largest of the heights', s.
+    pub fn least_read_s(&self) -> f64 {
+        self.heights.iter().map(|height| height.least_read_s).fold(0.0, f64::max)
     }
 
     /// Standard deviation of a touch time that was read, the largest of the heights', s.
@@ -123,7 +136,7 @@ impl HeightLandings {
 
     /// Standard deviation of a touch time that was read, s.
     pub fn read_s(&self) -> f64 {
-        self.errors.as_ref().map_or(READ_S, |errors| errors.deviation_s.max(LEAST_READ_S))
+        self.errors.as_ref().map_or(READ_S, |errors| errors.deviation_s.max(self.least_read_s))
     }
 
     /// Quartiles of the time from the first foot to the opposite one, with their standard errors, s.

@@ -19,6 +19,19 @@ impl<'a> Population<'a> {
         Self { table, weights: weights(table, slopes.deviation_rad(table.fall_s)) }
     }
 
+    /// The same of slopes each of which may be those of the population, as likely as they are.
+    pub fn likely(table: &'a LandingTable, slopes: &[(Slopes, f64)]) -> Self {
+        let all: f64 = slopes.iter().map(|(_, likely)| likely).sum();
+        let none = DVector::zeros(table.points.len());
+        let add = |sum: DVector<f64>, (slopes, likely): &(Slopes, f64)| sum + Self::of(table, slopes).weights * (likely / all);
+        Self { table, weights: slopes.iter().fold(none, add) }
+    }
+
+    /// The landings that are weighed.
+    pub fn table(&self) -> &'a LandingTable {
+        self.table
+    }
+
     /// Mean window, g.
     pub fn mean_window(&self) -> DVector<f64> {
         self.table.window(self.weights.iter().copied())

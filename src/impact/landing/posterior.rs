@@ -30,8 +30,9 @@ pub struct SlopeEstimate {
 
 /// The expected landing of a drop from its touch times, which were read with a standard deviation of `read_s`, slopes being distributed as
 /// in a population.
-pub fn given_touches(table: &LandingTable, population: &Population, touches: &LegTouches, read_s: f64) -> SlopeEstimate {
-    let (weights, sum) = weights_given_touches(table, population, touches, read_s);
+pub fn given_touches(population: &Population, touches: &LegTouches, read_s: f64) -> SlopeEstimate {
+    let table = population.table();
+    let (weights, sum) = weights_given_touches(population, touches, read_s);
     let (mut slope_rad, mut square, mut direction_rad) = (0.0, 0.0, 0.0);
     for (point, weight) in table.points.iter().zip(weights.iter()) {
         slope_rad += weight * point.slope_rad / sum;
@@ -43,15 +44,15 @@ pub fn given_touches(table: &LandingTable, population: &Population, touches: &Le
 }
 
 /// The window of [`given_touches`] alone, g: what fits compare.
-pub fn window_given_touches(table: &LandingTable, population: &Population, touches: &LegTouches, read_s: f64) -> DVector<f64> {
-    let (weights, sum) = weights_given_touches(table, population, touches, read_s);
-    table.window(weights.iter().copied()) / sum
+pub fn window_given_touches(population: &Population, touches: &LegTouches, read_s: f64) -> DVector<f64> {
+    let (weights, sum) = weights_given_touches(population, touches, read_s);
+    population.table().window(weights.iter().copied()) / sum
 }
 
 /// How probable each of a table's landings is, and the sum of all; where touches contradict every landing, as in the population.
-fn weights_given_touches(table: &LandingTable, population: &Population, touches: &LegTouches, read_s: f64) -> (DVector<f64>, f64) {
+fn weights_given_touches(population: &Population, touches: &LegTouches, read_s: f64) -> (DVector<f64>, f64) {
     let mut weights = population.weights().clone();
-    let sum = weigh(&mut weights, table, touches, read_s);
+    let sum = weigh(&mut weights, population.table(), touches, read_s);
     if sum > 0.0 { (weights, sum) } else { (population.weights().clone(), 1.0) }
 }
 

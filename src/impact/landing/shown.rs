@@ -92,11 +92,11 @@ impl ShownDrop {
     /// The drop of a height with the median slope among those whose feet were all seen; legs are those fitted to single drops.
     pub fn of(height: &HeightLandings, table: &LandingTable, fit: &LandingFit) -> Option<Self> {
         let population = Population::of(table, &fit.slopes);
-        let slope = |drop: &ObservedLanding| given_touches(table, &population, &drop.touches, height.read_s()).slope_rad;
+        let slope = |drop: &ObservedLanding| given_touches(&population, &drop.touches, height.read_s()).slope_rad;
         let mut seen: Vec<(f64, &ObservedLanding)> = height.seen().map(|drop| (slope(drop), drop)).collect();
         seen.sort_by(|a, b| a.0.total_cmp(&b.0));
         let (_, drop) = seen.get(seen.len() / 2)?;
-        let expected = given_touches(table, &population, &drop.touches, height.read_s());
+        let expected = given_touches(&population, &drop.touches, height.read_s());
         Some(Self {
             trial: drop.trial.clone(),
             height_m: height.height_m,

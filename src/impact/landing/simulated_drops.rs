@@ -34,10 +34,10 @@ impl SimulatedDrops {
         let (population, errors) = (Population::of(table, slopes), observed.errors.as_ref()?);
         let predicted = evenly_drawn(population.weights(), rng.random()).filter_map(|point| {
             let touches = errors.touches(point, table.delays_s[point], rng.random_range(0..READINGS))?;
-            Some(window_given_touches(table, &population, &touches, observed.read_s()))
+            Some(window_given_touches(&population, &touches, observed.read_s()))
         });
         let predicted: Vec<DVector<f64>> = predicted.collect();
-        (!predicted.is_empty()).then(|| Self { predicted, left: problem.left_by_drops(height, table, slopes) })
+        (!predicted.is_empty()).then(|| Self { predicted, left: problem.left_by_drops(height, &population) })
     }
 
     /// A record, g.

@@ -11,13 +11,14 @@ use rand::RngExt;
 use rand_distr::{Distribution, StandardNormal};
 use rand_pcg::Pcg64;
 
+use super::drop_weights::METHOD;
 use super::fitting::{LandingFit, LandingProblem};
+use super::population::Population;
 
 /// Sets of signs.
 const SIGNED: usize = 999;
-/// Standard deviation of what the method itself is off, as a part of the largest reading of the mean wave: damping alone, which gives the first
-/// readings, is off by 7 %. Readings below six times as much are left out.
-const METHOD: f64 = 0.015;
+/// Readings of a mean wave below as many times what the method is off are left out: damping alone, which gives the first ones, is off by 7 %.
+const FAINT: f64 = 6.0;
 
 /// The reading at which what touches leave is largest, in standard errors.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
@@ -43,7 +44,9 @@ impl TouchAdequacy {
             .chosen
             .iter()
             .zip(tables.iter())
-            .map(|(height, table)| Left::of(problem.left_by_drops(*height, table, &fit.slopes), &problem.waves.means[*height].wave))
+            .map(|(height, table)| {
+                Left::of(problem.left_by_drops(*height, &Population::of(table, &fit.slopes)), &problem.waves.means[*height].wave)
+            })
             .collect();
         let largest = |of: &Left| of.ratios(&of.mean).enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
         let each = heights.iter().zip(&problem.waves.chosen).filter_map(|(of, height)| Some((of, height, largest(of)?)));
@@ -77,7 +80,7 @@ impl Left {
         let method_g = METHOD * wave.iter().copied().fold(0.0, f64::max);
         let error = |reading: usize| {
             let squares: f64 = drops.iter().map(|drop| drop[reading] * drop[reading]).sum();
-            let seen = wave[reading].abs() >= 6.0 * method_g;
+            let seen = wave[reading].abs() >= FAINT * method_g;
             if seen { libm::hypot((squares / (count * (count - 1.0))).sqrt(), method_g) } else { f64::INFINITY }
         };
         let errors = DVector::from_iterator(wave.len(), (0..wave.len()).map(error));

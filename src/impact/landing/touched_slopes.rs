@@ -74,8 +74,14 @@ pub struct TouchedSlopes {
 impl<'a> TouchLikelihood<'a> {
     /// Of all drops of some heights; `None` where too few feet were seen.
     pub fn of(heights: &[&HeightLandings], tables: &'a [LandingTable]) -> Option<Self> {
+        Self::read_no_better(heights, tables, 0.0)
+    }
+
+    /// The same with touch times that are not read better than within so much, s.
+    pub fn read_no_better(heights: &[&HeightLandings], tables: &'a [LandingTable], least_s: f64) -> Option<Self> {
         let one = |(height, table): (&&HeightLandings, &'a LandingTable)| {
-            let drops = height.drops.par_iter().map(|drop| likelihoods(table, &drop.touches, height.read_s())).collect();
+            let read_s = height.read_s().max(least_s);
+            let drops = height.drops.par_iter().map(|drop| likelihoods(table, &drop.touches, read_s)).collect();
             (height.seen().count() >= FEWEST).then_some((table, drops))
         };
         Some(Self { heights: heights.iter().zip(tables).map(one).collect::<Option<_>>()? })
@@ -125,13 +131,15 @@ impl<'a> TouchLikelihood<'a> {
     }
 
     /// Slopes at release that may be the true ones, none of them first, each with the turning rate that is likeliest beside it, and how likely both
-    /// are beside the likeliest.
+    /// are: what is integrated over slopes at release in even steps.
     pub fn beside_slopes_at_release(&self) -> Vec<(Slopes, f64)> {
         let most = self.most(SlopeNumber::AtRelease);
         let place = |at: usize| self.with(SlopeNumber::AtRelease, most * at as f64 / BESIDE as f64);
         let all: Vec<TouchedSlopes> = (0..=BESIDE).map(place).collect();
         let least = all.iter().map(|one| one.deviance).fold(f64::INFINITY, f64::min);
-        all.into_iter().map(|one| (one.slopes, libm::exp(0.5 * (least - one.deviance)))).collect()
+        // The first and the last one stand for half a step.
+        let step = |at: usize| if at == 0 || at == BESIDE { 0.5 } else { 1.0 };
+        all.into_iter().enumerate().map(|(at, one)| (one.slopes, step(at) * libm::exp(0.5 * (least - one.deviance)))).collect()
     }
 
     /// The most likely slopes with one of their numbers held.

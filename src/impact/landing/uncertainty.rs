@@ -71,12 +71,7 @@ impl FitUncertainty {
     /// landings turn less on the way. `None` where a landing is lost.
     pub fn drawn(&self, problem: &LandingProblem, fit: &LandingFit, count: usize, seed: u64) -> Option<Vec<(Legs, Slopes)>> {
         let mut rng = Pcg64::new(u128::from(seed), 3);
-        let beside = if fit.slopes.at_release_rad == 0.0 {
-            let tables = problem.tables(&fit.legs, &fit.slopes)?;
-            TouchLikelihood::of(&problem.heights(), &tables)?.beside_slopes_at_release()
-        } else {
-            Vec::new()
-        };
+        let beside = if fit.slopes.at_release_rad == 0.0 { problem.likely_slopes(fit)? } else { Vec::new() };
         let mut chosen = Pcg64::new(u128::from(seed), 5);
         let beside_release = |(legs, slopes): (Legs, Slopes)| (legs, released(&beside, slopes, &mut chosen));
         let (parameters, bounds) = (problem.parameters(), problem.bounds());

@@ -10,6 +10,7 @@
 use std::ops::Range;
 
 use super::record::Record;
+use super::spread::Spread;
 
 /// Above this mean magnitude, or difference of the axes' mean from that in the fall, a frame is held, g: a choice between 1 g and the 0.3 g of
 /// noise that the real frame's sensor reads in the fall.
@@ -34,7 +35,7 @@ pub(super) fn fall_begin(record: &Record, end: usize) -> (usize, bool) {
     }
     let last = end.saturating_sub(record.samples_in(END_S).max(fewest))..end;
     let sizes: Vec<f64> = last.clone().map(|sample| record.size_g(sample)).collect();
-    let usual_g = median(sizes.clone());
+    let usual_g = median(sizes.iter().copied());
     if usual_g + DEVIATIONS * deviation(&sizes, usual_g) / (fewest as f64).sqrt() < HELD_G {
         by_size(record, end, fewest)
     } else {
@@ -62,7 +63,7 @@ fn by_axes(record: &Record, last: Range<usize>, fewest: usize) -> (usize, bool) 
         None => vec![&record.accel_g],
     };
     let end = last.end;
-    let zeros_g: Vec<f64> = axes.iter().map(|axis| median(axis[last.clone()].to_vec())).collect();
+    let zeros_g: Vec<f64> = axes.iter().map(|axis| median(axis[last.clone()].iter().copied())).collect();
     let noises_g = axes.iter().zip(&zeros_g).map(|(axis, zero_g)| deviation(&axis[last.clone()], *zero_g));
     let share = noises_g.map(|noise_g| noise_g * noise_g).sum::<f64>().sqrt() / QUIET_G;
     let count = ((share * share).ceil() as usize).clamp(fewest, MOST * fewest).min(end);
@@ -84,13 +85,12 @@ fn by_axes(record: &Record, last: Range<usize>, fewest: usize) -> (usize, bool) 
 
 /// Standard deviation by the middle deviation: of a bell curve half of the readings lie within 0.6745 of it. A touch, or the hand's last, does not move it.
 fn deviation(readings: &[f64], middle: f64) -> f64 {
-    median(readings.iter().map(|reading| (reading - middle).abs()).collect()) / 0.6745
+    median(readings.iter().map(|reading| (reading - middle).abs())) / 0.6745
 }
 
-/// The middle of some values; of an even number the upper one.
-fn median(mut values: Vec<f64>) -> f64 {
-    let middle = values.len() / 2;
-    *values.select_nth_unstable_by(middle, f64::total_cmp).1
+/// The middle of some values, of which there are a few at least.
+fn median(values: impl IntoIterator<Item = f64>) -> f64 {
+    Spread::of(values).map_or(f64::NAN, |spread| spread.median)
 }
 
 #[cfg(test)]
