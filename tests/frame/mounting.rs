@@ -131,6 +131,21 @@ fn analytic_dampers_go_into_the_upper_board() {
     assert!(motors_alone[1].is_some_and(|at| Some(at) < motors_alone[2]), "{motors_alone:?}");
 }
 
+/// The bracket stands before and behind the battery, or left and right of it: wires come in at its open sides.
+#[test]
+fn planted_no_motor_wire_runs_through_the_bracket() {
+    let across = common::resolve("base = \"cognifly\"\n[sleeve]\nsleeve_direction = \"across\"\n").expect("resolves");
+    for design in [designed("cognifly"), designed("cognifly-mini"), Design::with(across, common::memo()).expect("designs")] {
+        let bracket = design.bodies.iter().find(|body| body.name == "battery_bracket").expect("has a bracket");
+        let solid = design.shapes[bracket.shape].solid.placed(&bracket.pose);
+        for wire in wires(&design).iter().filter(|wire| wire.role == "motor_wire") {
+            let tube = MeshSolid::from_mesh(&wire.mesh()).expect("is closed");
+            let shared_mm3 = tube.intersection(&solid).volume_mm3();
+            assert!(tube.volume_mm3() > 100.0 && shared_mm3 < 1.0, "{} {}: {shared_mm3} mm3", design.frame.name, wire.name);
+        }
+    }
+}
+
 /// A cable is drawn in the one step that brings its ends together.
 #[test]
 fn analytic_each_cable_is_laid_in_one_step() {

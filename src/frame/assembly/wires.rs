@@ -11,7 +11,7 @@ use super::body_box::{body, bounds_mm, controller};
 use super::cables::cables;
 use super::design::Design;
 use super::wire::{Section, Wire};
-use crate::frame::skeleton::MODULE_NAMES;
+use crate::frame::skeleton::{MODULE_NAMES, Rod};
 
 /// Radius of the bundle of a motor's wires and of one of the battery's, mm: about 20 and 16 AWG in silicone.
 const RADII_MM: [f64; 2] = [1.6, 1.5];
@@ -36,7 +36,11 @@ fn own_bounds_mm(design: &Design, name: &str) -> Option<[Point3<f64>; 2]> {
 fn motor(design: &Design, module: usize) -> Option<Wire> {
     let name = MODULE_NAMES[module];
     let seat = Point3::from(body(design, &format!("motor_{name}"))?.pose.translation.vector);
-    let arm = design.skeleton.rods.iter().find(|rod| rod.name == format!("arm_{name}_left"))?;
+    // Along the arm that enters the hub nearer to where the bracket is open: its uprights stand before and behind the battery.
+    let off_middle_mm = |rod: &&Rod| design.centre.battery_axes.box_of([rod.start.coords.into(); 2])[0][0].abs();
+    let arms = ["left", "right"].map(|side| format!("arm_{name}_{side}"));
+    let arm = design.skeleton.rods.iter().filter(|rod| arms.contains(&rod.name));
+    let arm = arm.max_by(|a, b| off_middle_mm(a).total_cmp(&off_middle_mm(b)))?;
     let ([board_low, board_high], [hub_low, _]) = (controller(design)?, bounds_mm(design, "hub")?);
     let (frame, radius_mm) = (&design.frame, RADII_MM[0]);
     // From the hub outwards.

@@ -213,9 +213,11 @@ impl Task {
             Self::CloseTriangle => {
                 "Bend the foot at both its notches until the leg stands before the long bore, then go on bending and push the fork home: leg and arms slide to the bottom of their bores together."
             }
-            Self::PushBottomCage => "Push a cage rod into the bottom corner, towards the next module.",
+            Self::PushBottomCage => {
+                "Push a cage rod into the bottom corner, towards the next module: seen from above, that is counter-clockwise, from front right to front left."
+            }
             Self::PushTopCage => {
-                "Push a cage rod into the top corner, by the bore that will look to the next module. Lay it aside, its notch down and its flat web up."
+                "Push a cage rod into the top corner, by the bore that will look to the next module, counter-clockwise as at the bottom. Lay it aside, its notch down and its flat web up."
             }
             Self::PlugHub => {
                 "Lay the four modules as a cross around the hub and start their plugs in it, only so far that each rod of the bottom ring stands before the next module's bottom corner."
