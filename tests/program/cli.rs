@@ -138,7 +138,7 @@ fn analytic_a_base_is_looked_up_beside_the_file_that_names_it() {
     let check = bench.run("check", &["-q"]);
     assert_says(&text(&check.stderr), &["the budget is 100.0 g"]);
     let nowhere = refused("base = \"nowhere.toml\"\n");
-    assert_says(&nowhere, &["there is no base called `nowhere.toml`", "a file beside this one, or a preset: cognifly", "frame.toml:1"]);
+    assert_says(&nowhere, &["there is no base called `nowhere.toml`", "whose name ends in .toml, or a preset: cognifly", "frame.toml:1"]);
     // A file may be named as the preset that it changes.
     let bench = Bench::new("");
     bench.write("cognifly.toml", "base = \"cognifly\"\n[limits]\nmass_budget_g = 100.0\n");
