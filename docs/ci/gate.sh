@@ -11,7 +11,7 @@
 #   SUMMARY           a file to which the Markdown page is appended
 #   JUNIT, SARIF      files for the reports; there is none if check ends without a report, as when no file matches
 #
-# Exit code: 0 all limits are kept, 1 a limit is violated or an increase is too large, 2 an input is wrong, 3 a disk or permission error.
+# Exit code: 0 all limits are kept, 1 a limit is violated or an increase is too large, 2 an input is wrong, 3 a disk or permission error, or no program.
 set -uo pipefail
 # The same patterns as in the program: ** is any number of folders, and names that begin with a dot are included.
 if ! ((BASH_VERSINFO[0] * 100 + BASH_VERSINFO[1] >= 404)); then

@@ -63,8 +63,8 @@ fn measured_drops_are_diagnosed_without_falling_for_their_traps() {
         "{population} {least_g}"
     );
     // They fail `enough`: what single drops keep once their touches are given has a mean. With a mount of the sensor all tests
-    // were passed until that was looked at; the mount does not make it smaller. Since legs are weighed, `constant` sees that friction is not the same at 50 and at 100 cm (p = 5e-5; before,
-    // with errors twice as large, 0.2): what resists is no constant force.
+    // were passed until that was looked at; the mount does not make it smaller. Since legs are weighed, `constant` sees that friction is not the same at 50 and at 100 cm (p = 5e-5; 0.76
+    // with all readings alike): what resists is no constant force.
     let failed: Vec<&str> = study.landing.gates.iter().filter(|gate| !gate.passed).map(|gate| gate.id).collect();
     assert_eq!(failed, ["constant", "enough"]);
     assert!(study.landing.rubs() && study.landing.given_touches.p < 0.01 && study.landing.refused.is_some());

@@ -46,6 +46,9 @@ impl DropWeights {
             own.extend(left.iter().map(|left| (left - &mean) * scale));
             method_g = method_g.max(METHOD * wave.iter().copied().fold(0.0, f64::max) * scale);
         }
+        if own.is_empty() {
+            return None;
+        }
         let mut covariance = TrialCovariance::of_deviations(&[DMatrix::from_columns(&own)]).plain_covariances().pop()?;
         covariance += DMatrix::from_diagonal_element(covariance.nrows(), covariance.nrows(), method_g * method_g);
         let root = inverse_root(&covariance)?;
