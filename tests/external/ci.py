@@ -3,6 +3,7 @@
 What a step that `uses` another action does (checkout, cache) is done here by hand: a folder is kept between runs. GitHub's command
 `gh` is a stand-in that keeps comments in a file. The wheel is the one in WORK/wheel.
 """
+import html
 import os
 import re
 import resource
@@ -259,7 +260,7 @@ def warnings(kept):
     def is_told(branch, base, row, word, strict=""):
         git(repository, "checkout", "--quiet", branch)
         _, said = script("changes.py", repository, kept, base, STRICT=strict)
-        found = re.findall(r"margin of (bridge.*?) \| *(\S+) \| *(\S+) \| *\S+ \| (.*) \|", said)
+        found = re.findall(r"margin of (bridge.*?) \| *(\S+) \| *(\S+) \| *\S+ \| (.*) \|", html.unescape(said))
         result(f"changes.py: {'strict: ' if strict else ''}a bridge, {word}", found == [("bridge: battery_sleeve, mm", *row, word)], said)
 
     is_told("long", "main", ("1.39", "-0.61"), "warns now")

@@ -298,9 +298,10 @@ mod tests {
 
     proptest! {
         /// A bore with a slot in its lower part, as for a tie, and a narrow one from there to the side, wherever they are.
+        /// The slot ends inside the box: one that reaches the walls leaves slivers thinner than the mesh tells at some angles.
         #[test]
         fn analytic_a_bore_with_a_slot_has_one_border(slot_mm in 1.0_f64..3.5, turned_deg in 0.0_f64..360.0, across_mm in 0.5_f64..0.8) {
-            let slot = Feature::cuboid_between([0.0, -0.5 * slot_mm, -1.0], [10.0, 0.5 * slot_mm, 3.0]);
+            let slot = Feature::cuboid_between([0.0, -0.5 * slot_mm, -1.0], [7.0, 0.5 * slot_mm, 3.0]);
             let cross = Feature::cylinder(across_mm, 6.0).turned_x(crate::units::Angle::deg(90.0)).at(0.0, 0.0, 6.0);
             let cuts = Feature::union([Feature::bore(2.0, 10.0).at(0.0, 0.0, -1.0), slot, cross]).turned_z(crate::units::Angle::deg(turned_deg));
             assert_cut(&exact(&Feature::cuboid_between([-8.0, -8.0, 0.0], [8.0, 8.0, 8.0]).minus([cuts])), 2);
