@@ -29,6 +29,7 @@ const LEVEL: Landings = Landings {
     sensor_lean_rad: [0.0; 2],
     ringing_g: 0.0,
     heavy_feet: None,
+    ground_friction: 0.0,
 };
 
 /// Drops of a base model whose legs are those of the real frame, 40 a height.

@@ -2,7 +2,7 @@
 
 use super::assessment::LandingAssessment;
 use super::gate::Gate;
-use super::parameter::{PARAMETERS, ParameterKind};
+use super::parameter::{PARAMETERS, Parameter};
 use super::sensor_attitude::ATTITUDE_SENSOR;
 use super::touch_adequacy::TouchAdequacy;
 use crate::figures::p_value;
@@ -14,8 +14,8 @@ const ONE_HEIGHT: &str = "not tested, as all drops are from one height: drops fr
 /// Whether the interval of friction, of the feet's or the mount's number ends at a bound that is not its absence. Light feet, no friction and
 /// hardly any damping are values that they can have.
 fn is_open(estimate: &EffectEstimate) -> bool {
-    let beside = |kind| matches!(kind, ParameterKind::Friction | ParameterKind::Feet | ParameterKind::Mount);
-    let Some(parameter) = PARAMETERS.iter().find(|parameter| parameter.key == estimate.key && beside(parameter.kind)) else { return false };
+    let own = |parameter: &&Parameter| parameter.key == estimate.key && parameter.kind.is_beside_slopes();
+    let Some(parameter) = PARAMETERS.iter().find(own) else { return false };
     let ([low, high], [min, max]) = (estimate.ci95, parameter.bounds);
     high >= max * (1.0 - 1e-6) || parameter.unit == "Hz" && low <= min * (1.0 + 1e-6)
 }

@@ -37,6 +37,13 @@ pub enum ParameterKind {
     Slope,
 }
 
+impl ParameterKind {
+    /// Whether it is of an effect that may be there beside legs and slopes.
+    pub fn is_beside_slopes(self) -> bool {
+        matches!(self, Self::Friction | Self::Feet | Self::Mount)
+    }
+}
+
 impl Parameter {
     const fn new(key: &'static str, unit: &'static str, bounds: [f64; 2], step: f64, start: f64, kind: ParameterKind) -> Self {
         Self { key, unit, bounds, step, start, kind, method: 0.0 }

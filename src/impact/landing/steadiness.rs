@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ChiSquared, ContinuousCDF, FisherSnedecor};
 
 use super::fitting::{LandingFit, LandingProblem};
-use super::parameter::{Parameter, ParameterKind};
+use super::parameter::Parameter;
 use super::score_sums::ScoreSums;
 use super::touched_slopes::TouchLikelihood;
 use crate::impact::fit::inverse;
@@ -29,8 +29,7 @@ impl LandingProblem<'_> {
     /// Hotelling's with the heights' drops together: of few drops, only the largest differences are told. `None` without any of them, or from one height
     /// alone.
     pub fn effects_steady_p(&self, fit: &LandingFit) -> Option<f64> {
-        let is_effect =
-            |parameter: &Parameter| matches!(parameter.kind, ParameterKind::Friction | ParameterKind::Feet | ParameterKind::Mount);
+        let is_effect = |parameter: &Parameter| parameter.kind.is_beside_slopes();
         let columns: Vec<usize> = self.parameters().iter().enumerate().filter(|(_, one)| is_effect(one)).map(|(at, _)| at).collect();
         if columns.is_empty() {
             return None;

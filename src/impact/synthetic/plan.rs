@@ -178,6 +178,7 @@ fn landings(file: &ImpactFile, model: &Model) -> Result<Option<Landings>, Refusa
         at_release_rad: PlanNumber::LANDING_AT_RELEASE_RAD.read(file)?,
         inertia_kg_m2: PlanNumber::LANDING_INERTIA_KG_M2.read(file)?,
         foot_radius_m: PlanNumber::LANDING_FOOT_RADIUS_MM.read(file)? * 1e-3,
+        ground_friction: PlanNumber::LANDING_GROUND_FRICTION.read(file)?,
         touch_g: PlanNumber::LANDING_TOUCH_G.read(file)?,
         sensor_lean_rad: [
             PlanNumber::LANDING_SENSOR_LEAN_X_DEG.read(file)?.to_radians(),

@@ -71,6 +71,7 @@ impl PlanNumber {
     pub(super) const LANDING_FOOT_SHARE: Self = Self::optional("landing.foot_share", [0.0, 0.6], "1", 0.0);
     pub(super) const LANDING_FOOT_F_HZ: Self = Self::optional("landing.foot_f_hz", [20.0, 2000.0], "Hz", 250.0);
     pub(super) const LANDING_FOOT_ZETA: Self = Self::optional("landing.foot_zeta", [0.0, 2.0], "1", 0.05);
+    pub(super) const LANDING_GROUND_FRICTION: Self = Self::optional("landing.ground_friction", [0.0, 2.0], "1", 0.0);
     pub(super) const LANDING_TOUCH_G: Self = Self::optional("landing.touch_g", [0.0, 500.0], "g", 0.0);
     pub(super) const LANDING_RINGING_G: Self = Self::optional("landing.ringing_g", [0.0, 500.0], "g", 0.0);
     pub(super) const LANDING_SENSOR_LEAN_X_DEG: Self = Self::optional("landing.sensor_lean_x_deg", [-30.0, 30.0], "deg", 0.0);
@@ -86,7 +87,7 @@ impl PlanNumber {
 }
 
 /// All of them.
-pub const PLAN_NUMBERS: [PlanNumber; 33] = [
+pub const PLAN_NUMBERS: [PlanNumber; 34] = [
     PlanNumber::DROPS_COUNT,
     PlanNumber::DROPS_SEED,
     PlanNumber::SCATTER_SHARE,
@@ -108,6 +109,7 @@ pub const PLAN_NUMBERS: [PlanNumber; 33] = [
     PlanNumber::LANDING_FOOT_SHARE,
     PlanNumber::LANDING_FOOT_F_HZ,
     PlanNumber::LANDING_FOOT_ZETA,
+    PlanNumber::LANDING_GROUND_FRICTION,
     PlanNumber::LANDING_TOUCH_G,
     PlanNumber::LANDING_RINGING_G,
     PlanNumber::LANDING_SENSOR_LEAN_X_DEG,

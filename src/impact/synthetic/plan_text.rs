@@ -33,12 +33,13 @@ fn landing(landings: &Landings) -> String {
     });
     let [lean_x, lean_y] = landings.sensor_lean_rad.map(f64::to_degrees);
     format!(
-        "\n[landing]\nrate_rad_s = {:?}\nat_release_rad = {:?}\ninertia_kg_m2 = {:?}\nfoot_radius_mm = {:?}\ntouch_g = {:?}\nringing_g = {:?}\n\
+        "\n[landing]\nrate_rad_s = {:?}\nat_release_rad = {:?}\ninertia_kg_m2 = {:?}\nfoot_radius_mm = {:?}\nground_friction = {:?}\ntouch_g = {:?}\nringing_g = {:?}\n\
          sensor_lean_x_deg = {lean_x:?}\nsensor_lean_y_deg = {lean_y:?}\n{feet}",
         landings.rate_rad_s,
         landings.at_release_rad,
         landings.inertia_kg_m2,
         landings.foot_radius_m * 1e3,
+        landings.ground_friction,
         landings.touch_g,
         landings.ringing_g
     )

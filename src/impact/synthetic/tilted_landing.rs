@@ -1,10 +1,11 @@
 //! A landing on one foot first, as the generator follows it: a rigid body in space on four feet.
 //!
 //! Nothing is small here: the body's attitude is a rotation, the feet hang below the centre of mass, and Newton's and Euler's
-//! equations are stepped by the semi-implicit method of Euler, 10 µs a step. The sensor turns with the body. What a foot's touch
-//! does sideways is drawn, not derived: a spike of 1.5 ms away from the foot, and a third of it back.
+//! equations are stepped by the semi-implicit method of Euler, 10 µs a step. The sensor turns with the body. Where feet have friction on the
+//! ground, each holds on to its place by a spring and damper until that pulls by more than the friction, and takes the place along then (P. A. Cundall, O. D. L.
+//! Strack, Géotechnique 29 (1979) 47). What a foot's touch does sideways beside it is drawn, not derived: a spike of 1.5 ms away from the foot, and a third of it back.
 
-use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector2, Vector3};
 use rand::{Rng, RngExt};
 use rand_distr::{Distribution, StandardNormal};
 
@@ -15,6 +16,9 @@ use crate::units::GRAVITY_M_S2;
 const STEP_S: f64 = 1e-5;
 /// From the centre of mass down to the feet, m.
 const BELOW_M: f64 = 0.05;
+/// What holds a foot at its place on the ground: stiffness, N/m, and damping, N s/m.
+const HOLD_N_M: f64 = 5e4;
+const HOLD_N_S_M: f64 = 25.0;
 /// Length of a spike, s.
 const SPIKE_S: f64 = 1.5e-3;
 /// What comes back after it.
@@ -38,6 +42,8 @@ pub struct Landings {
     pub foot_radius_m: f64,
     /// Mass that the feet carry themselves; `None` for none.
     pub heavy_feet: Option<HeavyFeet>,
+    /// Coefficient of friction of the feet on the ground; 0 for none.
+    pub ground_friction: f64,
     /// Mean height of a touch's spike, g; 0 for none.
     pub touch_g: f64,
     /// The sensor's lean against the body: how far its axis points toward x and toward y, rad.
@@ -137,6 +143,47 @@ fn sideways_g(body: &Body, spikes: &[f64; 4], t_s: f64) -> [f64; 2] {
     sum
 }
 
+/// How the body moves along the ground.
+struct Sideways {
+    friction: f64,
+    place_m: Vector2<f64>,
+    speed_m_s: Vector2<f64>,
+    acceleration_m_s2: Vector2<f64>,
+    /// Where each foot that touches holds on.
+    held_m: [Option<Vector2<f64>>; 4],
+}
+
+impl Sideways {
+    fn standing(friction: f64) -> Self {
+        let zero = Vector2::zeros();
+        Self { friction, place_m: zero, speed_m_s: zero, acceleration_m_s2: zero, held_m: [None; 4] }
+    }
+
+    /// Force of the ground on a foot, N: how far it is off the centre of mass, m, how fast, m/s, and what presses it, N; none for one in the air.
+    fn force_n(&mut self, foot: usize, arm_m: Vector2<f64>, turning_m_s: Vector2<f64>, pressed_n: Option<f64>) -> Vector2<f64> {
+        let Some(pressed_n) = pressed_n else {
+            self.held_m[foot] = None;
+            return Vector2::zeros();
+        };
+        let here_m = self.place_m + arm_m;
+        let held_m = self.held_m[foot].get_or_insert(here_m);
+        let pull_n = HOLD_N_M * (*held_m - here_m) - HOLD_N_S_M * (self.speed_m_s + turning_m_s);
+        let most_n = self.friction * pressed_n.max(0.0);
+        if pull_n.norm() <= most_n {
+            return pull_n;
+        }
+        let force_n = pull_n * (most_n / pull_n.norm());
+        *held_m = here_m + force_n / HOLD_N_M;
+        force_n
+    }
+
+    fn step(&mut self, force_n: Vector2<f64>, mass_kg: f64) {
+        self.acceleration_m_s2 = force_n / mass_kg;
+        self.speed_m_s += STEP_S * self.acceleration_m_s2;
+        self.place_m += STEP_S * self.speed_m_s;
+    }
+}
+
 /// A rigid body in space.
 struct Body {
     /// Feet in the body's axes, m.
@@ -148,6 +195,7 @@ struct Body {
     attitude: UnitQuaternion<f64>,
     turning_rad_s: Vector3<f64>,
     acceleration_m_s2: f64,
+    sideways: Sideways,
     filtered: Vec<f64>,
     touched_s: [Option<f64>; 4],
     heavy: Option<HeavyFeet>,
@@ -174,6 +222,7 @@ impl Body {
             attitude,
             turning_rad_s: attitude.inverse() * turning_rad_s,
             acceleration_m_s2: -GRAVITY_M_S2,
+            sideways: Sideways::standing(landings.ground_friction),
             filtered: vec![0.0; drop.stages],
             touched_s: [None; 4],
             heavy: landings.heavy_feet,
@@ -183,7 +232,8 @@ impl Body {
 
     /// Proper acceleration in the body's axes, g.
     fn reading_g(&self) -> Vector3<f64> {
-        self.attitude.inverse() * Vector3::new(0.0, 0.0, self.acceleration_m_s2 / GRAVITY_M_S2 + 1.0)
+        let along = self.sideways.acceleration_m_s2 / GRAVITY_M_S2;
+        self.attitude.inverse() * Vector3::new(along.x, along.y, self.acceleration_m_s2 / GRAVITY_M_S2 + 1.0)
     }
 
     fn step(&mut self, drop: &VerticalConditions, t_s: f64) {
@@ -191,6 +241,7 @@ impl Body {
         let (mut lift_n, mut torque) = (0.0, Vector3::zeros());
         let share = self.heavy.map_or(0.0, |feet| feet.share);
         let mut onto_feet = [0.0; 4];
+        let mut along_n = Vector2::zeros();
         for (i, foot) in self.feet.iter().enumerate() {
             let arm = self.attitude * foot;
             let [below_m, falling_m_s] = self.swing[i];
@@ -201,16 +252,20 @@ impl Body {
                 let sinking_m_s = falling_m_s - (self.speed_m_s + turning.cross(&arm).z);
                 push_n = drop.foot_n(-above_m, sinking_m_s);
             }
+            let pressed_n = (above_m <= 0.0).then_some(push_n);
+            let held_n = self.sideways.force_n(i, arm.xy(), turning.cross(&arm).xy(), pressed_n);
+            along_n += held_n;
             if let Some(feet) = self.heavy {
                 let (mass_kg, circular) = (0.25 * share * drop.mass_kg, 2.0 * std::f64::consts::PI * feet.f_hz);
-                let held_n = -mass_kg * circular * (circular * below_m + 2.0 * feet.zeta * falling_m_s);
+                let spring_n = -mass_kg * circular * (circular * below_m + 2.0 * feet.zeta * falling_m_s);
                 // Downward, of the foot alone in space.
-                onto_feet[i] = (held_n - push_n) / mass_kg + GRAVITY_M_S2;
-                push_n = held_n;
+                onto_feet[i] = (spring_n - push_n) / mass_kg + GRAVITY_M_S2;
+                push_n = spring_n;
             }
             lift_n += push_n;
-            torque += arm.cross(&Vector3::new(0.0, 0.0, push_n));
+            torque += arm.cross(&Vector3::new(held_n.x, held_n.y, push_n));
         }
+        self.sideways.step(along_n, drop.mass_kg);
         self.acceleration_m_s2 = lift_n / ((1.0 - share) * drop.mass_kg) - GRAVITY_M_S2;
         let own = self.attitude.inverse() * torque;
         let spin = self.turning_rad_s.cross(&(self.inertia * self.turning_rad_s));
@@ -233,5 +288,40 @@ impl Body {
             *stage += STEP_S * drop.filter_1_s * (input - *stage);
             input = *stage;
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    proptest! {
+        /// A foot that is moved along the ground is held by at most the friction, and by all of it once it slides.
+        #[test]
+        fn analytic_a_foot_is_held_by_at_most_its_friction(friction in 0.05_f64..1.0, pressed_n in 1.0_f64..200.0, x_m_s in 0.2_f64..3.0, y_m_s in -3.0_f64..3.0) {
+            let mut sideways = Sideways::standing(friction);
+            let speed_m_s = Vector2::new(x_m_s, y_m_s);
+            let mut force_n = Vector2::zeros();
+            for step in 0..4000 {
+                force_n = sideways.force_n(0, speed_m_s * (f64::from(step) * STEP_S), speed_m_s, Some(pressed_n));
+                prop_assert!(force_n.norm() <= friction * pressed_n * (1.0 + 1e-9));
+            }
+            // Against the motion, and as large as friction allows.
+            prop_assert!((force_n + speed_m_s.normalize() * friction * pressed_n).norm() < 1e-6 * friction * pressed_n);
+            // In the air nothing holds it, and it holds on anew where it comes down.
+            prop_assert_eq!(sideways.force_n(0, speed_m_s, speed_m_s, None), Vector2::zeros());
+            prop_assert_eq!(sideways.force_n(0, speed_m_s, Vector2::zeros(), Some(pressed_n)), Vector2::zeros());
+        }
+    }
+
+    #[test]
+    fn analytic_what_the_ground_pushes_is_the_momentum_of_the_body() {
+        let mut sideways = Sideways::standing(0.5);
+        let force_n = Vector2::new(3.0, -1.5);
+        (0..1000).for_each(|_| sideways.step(force_n, 0.25));
+        assert!((sideways.speed_m_s - force_n / 0.25 * 1000.0 * STEP_S).norm() < 1e-9);
+        assert_eq!(sideways.acceleration_m_s2, force_n / 0.25);
     }
 }

@@ -32,7 +32,7 @@ const RATE_RAD_S: [f64; 2] = [0.001, 3.0];
 const CEILING_GAIN: [f64; 2] = [1.0, 100.0];
 
 /// Keys of the seeds, in the order in which rows are made.
-const SEEDS: [PlanKey; 8] = [
+const SEEDS: [PlanKey; 9] = [
     plan_key("seeds.nothing", Takes::Seeds(SEED), "Drops without a hidden effect."),
     plan_key("seeds.one", Takes::Seeds(SEED), "Drops with one effect."),
     plan_key("seeds.two", Takes::Seeds(SEED), "Drops with two effects."),
@@ -40,6 +40,7 @@ const SEEDS: [PlanKey; 8] = [
     plan_key("seeds.sloped", Takes::Seeds(SEED), "Landings that slope."),
     plan_key("seeds.sloped_with_friction", Takes::Seeds(SEED), "Landings that slope on legs with dry friction."),
     plan_key("seeds.sloped_on_heavy_feet", Takes::Seeds(SEED), "The same, on feet with mass of their own."),
+    plan_key("seeds.sloped_on_rough_ground", Takes::Seeds(SEED), "Landings that slope on legs with dry friction, on ground with friction."),
     plan_key("seeds.level", Takes::Seeds(SEED), "Level landings that could be taken for those that slope."),
 ];
 /// Keys beside those of the seeds.
@@ -157,14 +158,15 @@ fn cases(file: &ImpactFile, recovery: &Recovery) -> Result<Vec<Case>, Refusal> {
     let rates =
         if file.entries.contains_key("rates_rad_s") { file.numbers("rates_rad_s", RATE_RAD_S, "rad/s")? } else { RATES_RAD_S.to_vec() };
     each_once(file, "rates_rad_s", &rates)?;
-    let [nothing, one, two, outsiders, sloped, rubbing, heavy, level_ones] = SEEDS.map(|known| seeds(file, known.key));
+    let [nothing, one, two, outsiders, sloped, rubbing, heavy, rough, level_ones] = SEEDS.map(|known| seeds(file, known.key));
     let (nothing, one, two, outsiders) = (nothing?, one?, two?, outsiders?);
-    let (sloped, rubbing, heavy, level_ones) = (sloped?, rubbing?, heavy?, level_ones?);
+    let (sloped, rubbing, heavy, rough, level_ones) = (sloped?, rubbing?, heavy?, rough?, level_ones?);
     let singles = || recovery.effects.iter().flat_map(|spec| recovery.strengths.iter().map(move |strength| (*spec, *strength)));
     let count = |seeds: &std::ops::Range<u64>| (seeds.end - seeds.start) as usize;
     let effects = count(&nothing) + count(&one) * singles().count() + count(&two) + count(&outsiders);
-    let a_level =
-        effects + (count(&sloped) + count(&rubbing) + count(&heavy)) * rates.len() + count(&level_ones) * LandingTruth::LEVEL.len();
+    let a_level = effects
+        + (count(&sloped) + count(&rubbing) + count(&heavy) + count(&rough)) * rates.len()
+        + count(&level_ones) * LandingTruth::LEVEL.len();
     if a_level == 0 || a_level * levels.len() * laws.len() > MOST_ROWS {
         let message = format!("the plan has {} rows", a_level * levels.len() * laws.len());
         let remedy = format!("state between one and {MOST_ROWS} by {}", SEEDS.map(|known| known.key).join(", "));
@@ -177,8 +179,12 @@ fn cases(file: &ImpactFile, recovery: &Recovery) -> Result<Vec<Case>, Refusal> {
         cases.extend(one.clone().flat_map(|seed| singles().map(move |(spec, strength)| case(Truth::One(spec), Some(strength), seed))));
         cases.extend(two.clone().filter_map(|seed| Some(case(Truth::Two(pair(&recovery.effects, seed)?), Some(pair_strength), seed))));
         cases.extend(outsiders.clone().map(|seed| case(Truth::Outside(outside(seed)), None, seed)));
-        let kinds: [(_, fn(f64) -> _); 3] =
-            [(&sloped, LandingTruth::Sloped), (&rubbing, LandingTruth::SlopedWithFriction), (&heavy, LandingTruth::SlopedOnHeavyFeet)];
+        let kinds: [(_, fn(f64) -> _); 4] = [
+            (&sloped, LandingTruth::Sloped),
+            (&rubbing, LandingTruth::SlopedWithFriction),
+            (&heavy, LandingTruth::SlopedOnHeavyFeet),
+            (&rough, LandingTruth::SlopedOnRoughGround),
+        ];
         for (seeds, landing) in kinds {
             let rates = |seed| rates.iter().map(move |rate| case(Truth::Landing(landing(*rate)), None, seed));
             cases.extend(seeds.clone().flat_map(rates));

@@ -28,6 +28,9 @@ const PAYLOAD_MODE: [f64; 3] = [0.3, 110.0, 0.05];
 /// Dry friction of all four legs together, N: about that of the real drops.
 const FRICTION_N: f64 = 50.0;
 
+/// Coefficient of friction of the feet on the ground, of which the model of landings knows nothing: that of plastic on wood, about.
+const GROUND_FRICTION: f64 = 0.4;
+
 /// Feet with mass of their own, about as those of the real drops.
 const HEAVY_FEET: HeavyFeet = HeavyFeet { share: 0.15, f_hz: 250.0, zeta: 0.06 };
 
@@ -40,6 +43,8 @@ pub enum LandingTruth {
     SlopedWithFriction(f64),
     /// The same on feet with mass of their own.
     SlopedOnHeavyFeet(f64),
+    /// On legs with dry friction whose feet have friction on the ground, too, which no effect stands for.
+    SlopedOnRoughGround(f64),
     /// Level, with a spike where the feet touch.
     Level,
     /// Level, and the frame rings sideways.
@@ -60,6 +65,7 @@ impl LandingTruth {
             Self::Sloped(rate_rad_s) => format!("landing_tilt {rate_rad_s} rad/s"),
             Self::SlopedWithFriction(rate_rad_s) => format!("landing_tilt {rate_rad_s} rad/s, coulomb_friction"),
             Self::SlopedOnHeavyFeet(rate_rad_s) => format!("landing_tilt {rate_rad_s} rad/s, coulomb_friction, foot_mode"),
+            Self::SlopedOnRoughGround(rate_rad_s) => format!("landing_tilt {rate_rad_s} rad/s, coulomb_friction, rough ground"),
             Self::Level => "level".into(),
             Self::Ringing => "level, ringing".into(),
             Self::PayloadMode => "level, payload_mode".into(),
@@ -74,12 +80,22 @@ impl LandingTruth {
 
     /// Whether legs have dry friction beside it.
     pub fn rubs(self) -> bool {
-        matches!(self, Self::SlopedWithFriction(_)) || self.has_heavy_feet()
+        matches!(self, Self::SlopedWithFriction(_)) || self.has_heavy_feet() || self.has_rough_ground()
     }
 
     /// Whether feet have mass of their own beside it.
     pub fn has_heavy_feet(self) -> bool {
         matches!(self, Self::SlopedOnHeavyFeet(_))
+    }
+
+    /// Whether feet have friction on the ground beside it.
+    pub fn has_rough_ground(self) -> bool {
+        matches!(self, Self::SlopedOnRoughGround(_))
+    }
+
+    /// Coefficient of friction of the feet on the ground.
+    pub fn ground_friction(self) -> f64 {
+        if self.has_rough_ground() { GROUND_FRICTION } else { 0.0 }
     }
 
     /// Dry friction of all legs together, N.
@@ -89,7 +105,10 @@ impl LandingTruth {
 
     fn rate_rad_s(self) -> f64 {
         match self {
-            Self::Sloped(rate_rad_s) | Self::SlopedWithFriction(rate_rad_s) | Self::SlopedOnHeavyFeet(rate_rad_s) => rate_rad_s,
+            Self::Sloped(rate_rad_s)
+            | Self::SlopedWithFriction(rate_rad_s)
+            | Self::SlopedOnHeavyFeet(rate_rad_s)
+            | Self::SlopedOnRoughGround(rate_rad_s) => rate_rad_s,
             Self::Level | Self::Ringing | Self::PayloadMode | Self::Stalls => 0.0,
         }
     }
@@ -119,6 +138,7 @@ impl LandingTruth {
             sensor_lean_rad: [0.0; 2],
             ringing_g: if ringing { RINGING_G } else { 0.0 },
             heavy_feet: self.has_heavy_feet().then_some(HEAVY_FEET),
+            ground_friction: self.ground_friction(),
         };
         let stalls = (self == Self::Stalls).then_some(STALLS);
         Plan { model, drops: DROPS, landings: Some(landings), stalls, seed, ..plain }
