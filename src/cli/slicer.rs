@@ -20,7 +20,7 @@ use crate::printing::weighing::Sliced;
 use crate::report::page::weighing_page::SLICER_RATIO;
 
 /// Longest that a part may take.
-const PATIENCE: Duration = Duration::from_secs(120);
+const PATIENCE: Duration = Duration::from_secs(600);
 /// How often it is asked whether it is done.
 const POLL: Duration = Duration::from_millis(20);
 /// Side of a bed that holds any part that can be printed, mm: what does not fit the printer is `check`'s to say.

@@ -5,7 +5,7 @@ set -uo pipefail
 out=$1 file=$4
 name="admesh ${file#"$out"/}"
 
-report=$(timeout 60 admesh "$file" 2>&1)
+report=$(timeout 300 admesh "$file" 2>&1)
 code=$?
 if [[ $code == 124 ]]; then
     echo "FAILED $name: no answer in 60 s"

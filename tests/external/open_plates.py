@@ -26,7 +26,7 @@ def main(binary, printers, work):
         frame = Path(work) / f"on-{file.stem}.toml"
         frame.parent.mkdir(parents=True, exist_ok=True)
         frame.write_text(f'base = "cognifly"\nprinter = "{file.stem}"\n')
-        subprocess.run([binary, "build", frame, "--no-pictures", "--quiet", "--output", work], check=True, timeout=300)
+        subprocess.run([binary, "build", frame, "--no-pictures", "--quiet", "--output", work], check=True, timeout=1200)
         folder = Path(work) / frame.stem
         why = fault(folder, tomllib.loads(file.read_text()))
         print(f"FAILED plates on {file.stem}: {why}" if why else f"ok plates on {file.stem}", flush=True)
@@ -63,7 +63,7 @@ def as_read(plate):
     # Beside the folder: another run looks at every plate in it.
     again = plate.parent.parent / f"{plate.stem}.again.3mf"
     command = ["prusa-slicer", "--dont-arrange", "--export-3mf", "--output", again, plate]
-    subprocess.run(command, check=True, timeout=120, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    subprocess.run(command, check=True, timeout=600, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     archive = zipfile.ZipFile(again)
     names = {
         thing.get("id"): next(one.get("value") for one in thing.iter("metadata") if one.get("key") == "name")

@@ -54,7 +54,7 @@ def run(before, name, place, env):
     place.mkdir(parents=True)
     shutil.copy(FOLDER / "drops/synthesize-plan/drops/drops.csv", place)
     words = [*before, PROGRAM, *COMMANDS[name], "--no-cache", "-q", "-o", "out"]
-    done = subprocess.run(words, cwd=place, env={**os.environ, **env}, capture_output=True, timeout=1500)
+    done = subprocess.run(words, cwd=place, env={**os.environ, **env}, capture_output=True, timeout=3600)
     (place / "printed").write_bytes(done.stdout)
     return done.returncode
 

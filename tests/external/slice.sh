@@ -8,7 +8,7 @@ gcode=$work/slices/$sha.gcode log=$work/slices/$sha.log
 
 mkdir -p "$work/slices"
 rm -f "$gcode"
-timeout 180 prusa-slicer --export-gcode \
+timeout 900 prusa-slicer --export-gcode \
     --nozzle-diameter 0.4 --layer-height 0.3 --first-layer-height 0.3 --fill-density 20% \
     --support-material --support-material-auto --bed-shape 0x0,220x0,220x220,0x220 \
     --output "$gcode" "$file" >"$log" 2>&1

@@ -62,7 +62,7 @@ def result(name, good, why=""):
 
 
 def study(*words, env=None):
-    done = subprocess.run([PROGRAM, "study", *words], capture_output=True, text=True, timeout=900, env=env)
+    done = subprocess.run([PROGRAM, "study", *words], capture_output=True, text=True, timeout=1800, env=env)
     return done.returncode, done.stdout + done.stderr
 
 
@@ -73,7 +73,7 @@ class Server:
         self.folder, ready = FOLDER / name, FOLDER / f"{name}.ready"
         self.folder.mkdir()
         self.process = subprocess.Popen([sys.executable, "-c", SERVER, self.folder, ready], stdout=subprocess.DEVNULL)
-        deadline = time.monotonic() + 60
+        deadline = time.monotonic() + 600
         while not ready.exists() or not ready.read_text():
             if self.process.poll() is not None or time.monotonic() > deadline:
                 raise RuntimeError("the HyperQueue server does not start")
@@ -95,11 +95,11 @@ def on_hyperqueue(plan, expected):
     # In a group of its own, so that nothing of it outlives the server.
     waiting = subprocess.Popen(run, env=first.env(), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     blocks = out / "study-plan/blocks"
-    deadline = time.monotonic() + 300
+    deadline = time.monotonic() + 1200
     while len(list(blocks.glob("*.jsonl"))) < 2 and time.monotonic() < deadline and waiting.poll() is None:
         time.sleep(0.05)
     first.kill()
-    said = waiting.communicate(timeout=300)[0]
+    said = waiting.communicate(timeout=1800)[0]
     done = len(list(blocks.glob("*.jsonl")))
     result("study on HyperQueue: a killed server ends the run with exit code 3", waiting.returncode == 3, f"{waiting.returncode}: {said}")
     kept = sum(1 for line in (out / "study-plan/rows.jsonl").read_text().splitlines()) - 1

@@ -209,12 +209,12 @@ fn looked_at<T>(plan: &Plan, look: impl FnOnce(LandingProblem, &LandingFit, &Wav
     let chosen = Chosen::of(&set, Channel::Axial, Keep::Evidence).expect("usable");
     let waves = chosen.waves().expect("usable");
     let touches = ObservedLandings::of(&chosen, &waves, &[]).expect("lateral axes were measured");
-    let prepared = PreparedDrops::of(&waves, &plan.model).expect("drops that vary");
+    let means = PreparedDrops::of(&waves, &plan.model).expect("drops that vary").problem.without_trigger_jitter();
     let body = LeggedBody::of(&plan.model).expect("four legs");
-    let plain = LandingProblem::plain(body, &plan.model, &prepared.problem, &touches);
+    let plain = LandingProblem::plain(body, &plan.model, &means, &touches);
     let rough = plain.fitted(None).expect("can be fitted");
     let touches = touches.with_errors(&plain.tables(&rough.legs, &rough.slopes).expect("can be simulated"), &rough.slopes);
-    let problem = LandingProblem::plain(body, &plan.model, &prepared.problem, &touches);
+    let problem = LandingProblem::plain(body, &plan.model, &means, &touches);
     look(problem, &rough, &waves)
 }
 

@@ -13,7 +13,7 @@ use tempfile::TempDir;
 const CONNECTIONS: usize = 32;
 
 /// What ends a test that hangs; nothing is measured by it.
-const PATIENCE: Duration = Duration::from_secs(60);
+const PATIENCE: Duration = Duration::from_secs(300);
 
 /// The program, serving a page of two files, and where.
 struct Served {

@@ -8,6 +8,7 @@ use super::expected::Expected;
 use super::free::Layout;
 use super::least_squares::{Minimum, minimise};
 use super::trial_covariance::Whitening;
+use super::trigger_jitter::TriggerJitter;
 use super::waves::{WaveGroup, Waves};
 use crate::impact::effects::Model;
 
@@ -70,6 +71,12 @@ impl FitProblem {
         let means = waves.groups.iter().map(MeanWave::of).collect();
         let expected = Expected { spread, ..Expected::plain(waves.step_s, waves.samples) };
         Self { expected, means, whitening, chosen: (0..waves.groups.len()).collect(), seen_limit_g: None }
+    }
+
+    /// The same where readings that vary move no trigger: what varies is in the waves that are predicted.
+    #[must_use]
+    pub fn without_trigger_jitter(self) -> Self {
+        Self { expected: Expected { trigger_jitter: TriggerJitter::default(), ..self.expected }, ..self }
     }
 
     /// The same with some heights alone.

@@ -106,12 +106,15 @@ impl LandingAssessment {
     pub(super) fn fitted(evidence: &LandingEvidence, known: Option<AttitudeAssessment>) -> Option<Self> {
         let touches = evidence.observed.of_heights(evidence.fitted);
         let prepared = PreparedDrops::of(evidence.fitted, evidence.model)?;
-        let plain = LandingProblem::plain(LeggedBody::of(evidence.model)?, evidence.model, &prepared.problem, &touches);
+        // Nearly all that varies from drop to drop is of the slopes, and each predicted landing has its own.
+        let waves = prepared.problem.without_trigger_jitter();
+        let plain = LandingProblem::plain(LeggedBody::of(evidence.model)?, evidence.model, &waves, &touches);
         let held = evidence.held_out.map(|waves| (waves, evidence.observed.of_heights(waves)));
         let ChosenModel { touches: fitted_touches, parts, weights, fit, refused } = ChosenModel::of(&plain, evidence, held.as_ref())?;
         let chosen = LandingProblem { observed: &fitted_touches, weights, ..plain.with(parts) };
-        let PopulationFit { fit, waves, adequacy, given_touches, uncertainty, spread_p } = PopulationFit::of(evidence, &chosen, fit)?;
-        let problem = chosen.at(&waves);
+        let PopulationFit { fit, waves: whitened, adequacy, given_touches, uncertainty, spread_p } =
+            PopulationFit::of(evidence, &chosen, fit)?;
+        let problem = chosen.at(&whitened);
         let predicted = problem.mean_windows(&fit.legs, &fit.slopes)?;
         let touched = TouchEvidence::of(evidence.observed, evidence.seed);
         let gaps = match &held {
@@ -142,7 +145,7 @@ impl LandingAssessment {
         let heights = slopes_by_height(&fitted_touches, &tables, &fit)?;
         let spreads = fitted_touches.heights.iter().zip(tables.iter()).map(|(height, table)| HeightSpread::of(height, table, &fit.slopes));
         let spreads = spreads.collect();
-        let samples = prepared.problem.expected.samples;
+        let samples = waves.expected.samples;
         let windows = evidence
             .fitted
             .groups

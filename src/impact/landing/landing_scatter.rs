@@ -20,7 +20,7 @@ use super::simulated_drops::SimulatedDrops;
 use super::table::{LandingTable, phase_covariance};
 use super::uncertainty::FitUncertainty;
 use crate::impact::diagnose::{Bootstrap, REPLICATES, Replicate};
-use crate::impact::fit::{CovarianceModel, Expected, FitProblem, TrialCovariance, Waves, Whitening};
+use crate::impact::fit::{CovarianceModel, FitProblem, TrialCovariance, Waves, Whitening};
 
 /// The covariance of records whose landings slope at random.
 #[derive(Clone, Debug)]
@@ -50,8 +50,7 @@ impl LandingScatter {
 
     /// Mean waves compared in units of it.
     pub fn problem(&self, waves: &FitProblem) -> FitProblem {
-        let expected = Expected { trigger_jitter: self.trials.trigger_jitter(&self.model), ..waves.expected.clone() };
-        FitProblem { whitening: self.whitening.clone(), expected, ..waves.clone() }
+        FitProblem { whitening: self.whitening.clone(), ..waves.clone() }
     }
 
     /// Mean waves as they could have been measured: of drawn records.

@@ -61,7 +61,6 @@ test("notes are warnings beyond their figure only, as on the command line", asyn
 test("strength is computed on demand, with the findings of the command line, and again after a change", async ({
   page,
 }) => {
-  test.setTimeout(120_000);
   await start(page);
   await checked(page);
   const rule = page.locator('[data-rule="design_drop"]');

@@ -75,7 +75,9 @@ test("a frame of the screen that began before Play was pressed shows no time bef
 }) => {
   await page.addInitScript(() => {
     const real = window.requestAnimationFrame.bind(window);
-    window.requestAnimationFrame = (draw) => real((now) => draw(now - 500));
+    const begun = performance.now();
+    // And slowly, so that the first step is seen while it is played.
+    window.requestAnimationFrame = (draw) => real((now) => draw(begun + (now - begun) / 20 - 500));
   });
   await start(page);
   await page.getByRole("tab", { name: "Fold" }).click();

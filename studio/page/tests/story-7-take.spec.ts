@@ -11,7 +11,7 @@ import { drag, expect, mass, program, settled, shot, start, test } from "./studi
 const PRESETS = ["cognifly", "cognifly-v8", "cognifly-1106", "cognifly-bamboo", "cognifly-mini", "cognifly-2s2000"];
 
 async function downloaded(page: Page, button: string | RegExp): Promise<Map<string, Uint8Array>> {
-  const waiting = page.waitForEvent("download", { timeout: 80_000 });
+  const waiting = page.waitForEvent("download", { timeout: 300_000 });
   await page.getByRole("button", { name: button }).click();
   const file = await waiting;
   const bytes = readFileSync(await file.path());
@@ -20,7 +20,7 @@ async function downloaded(page: Page, button: string | RegExp): Promise<Map<stri
 }
 
 test("downloads have the bytes of the command line, for every preset", async ({ page }) => {
-  test.setTimeout(300_000);
+  test.setTimeout(900_000);
   const folder = mkdtempSync(join(tmpdir(), "studio-"));
   await start(page);
   await page.getByRole("tab", { name: "Files" }).click();
@@ -42,7 +42,7 @@ test("downloads have the bytes of the command line, for every preset", async ({ 
 });
 
 test("the whole folder, the STEP files and a single STL have the bytes of the command line", async ({ page }) => {
-  test.setTimeout(200_000);
+  test.setTimeout(900_000);
   const folder = mkdtempSync(join(tmpdir(), "studio-"));
   execFileSync(program, ["build", "cognifly", "--step", "-q", "-o", folder]);
   const root = join(folder, "cognifly");
@@ -187,7 +187,6 @@ test("of a refused frame file there are no files, and the link and the frame fil
 test("a frame file of one's own is opened or dragged in, its differences are against the preset that it names", async ({
   page,
 }) => {
-  test.setTimeout(150_000);
   const folder = mkdtempSync(join(tmpdir(), "studio-"));
   const text = 'base = "cognifly-mini"\n\n[rods]\n# shorter\nstrut_rod_length_mm = 49.0\n';
   const path = join(folder, "Own.mini-1.toml");
