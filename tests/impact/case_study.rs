@@ -50,23 +50,23 @@ fn measured_drops_are_diagnosed_without_falling_for_their_traps() {
     // Given each drop's own touches, landings on one foot leave less than that mean wave does: 20.2 g is the aim.
     let given = &study.landing.gaps.given_touches;
     assert!(given.records_g < study.landing.gaps.held_out.template_g && given.records_g <= 20.2, "{given:?}");
-    // 3.5 g is the aim: 3.22 measured. By plain least squares of the legs, before, it was 3.3 to 5.8 (a bound of 6.0).
+    // 3.5 g is the aim: 3.13 measured. By plain least squares of the legs, before, it was 3.3 to 5.8 (a bound of 6.0).
     assert!(given.net_g <= 3.5, "the mean of what is left: {given:?}");
     assert!(after.net_g < study.judged.before.held_out.net_g);
-    // Landings on one foot, on legs with dry friction, come nearer to 150 cm than any set along the vertical. 6 g is the aim, missed by a little: 6.05 measured (8.0 to 11.6 before, with bounds of 0.6 to 0.7 of
-    // the gap before).
+    // Landings on one foot, on legs with dry friction, come nearer to 150 cm than any set along the vertical. 6 g is the aim: 5.89 measured (6.05 to 11.6 before, with bounds of 6.1 g and
+    // of 0.35 to 0.7 of the gap before).
     let population = study.landing.gaps.held_out.net_g;
     let [least_g, _] = study.landing.gaps.held_out_ci95_g.expect("150 cm is held out");
     let before_g = study.judged.before.held_out.net_g;
     assert!(
-        population <= 6.1 && population < 0.35 * before_g && population < after.net_g && least_g < population,
+        population <= 6.0 && population < 0.35 * before_g && population < after.net_g && least_g < population,
         "{population} {least_g}"
     );
     // They fail `enough`: what single drops keep once their touches are given has a mean. With a mount of the sensor all tests
-    // were passed until that was looked at; the mount does not make it smaller. Since legs are weighed, `constant` sees that friction is not the same at 50 and at 100 cm (p = 5e-5; 0.76
-    // with all readings alike): what resists is no constant force.
+    // were passed until that was looked at; the mount does not make it smaller. `constant` is passed by little: friction of 50 and of 100 cm is the same with p = 1.6e-4
+    // (5e-5 with the jitter of the trigger that slopes had been taken for, 0.76 with all readings alike).
     let failed: Vec<&str> = study.landing.gates.iter().filter(|gate| !gate.passed).map(|gate| gate.id).collect();
-    assert_eq!(failed, ["constant", "enough"]);
+    assert_eq!(failed, ["enough"]);
     assert!(study.landing.rubs() && study.landing.given_touches.p < 0.01 && study.landing.refused.is_some());
     let kept = include_str!("../../docs/case-study.md");
     assert!(study.page() == kept, "docs/case-study.md is out of date: cargo run --release --example case_study");
