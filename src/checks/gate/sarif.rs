@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use super::blame::Spot;
-use super::outcome::{CheckedFrame, Judged, Outcome, Refused, told_apart};
+use super::outcome::{CheckedFrame, Judged, Outcome, Refused};
 use super::policy::Standing;
 use crate::checks::Rule;
 
@@ -12,9 +12,10 @@ const REFUSED: [&str; 3] = ["refused", "Refused", "The frame file can be read, a
 
 /// The log as JSON text. The rules are those that the findings are of.
 pub fn log(outcomes: &[Outcome], rules: &[&Rule]) -> String {
-    let results: Vec<Value> = told_apart(outcomes)
-        .flat_map(|(outcome, name)| match &outcome.result {
-            Ok(held) => of_frame(&outcome.asked, name, held, rules),
+    let results: Vec<Value> = outcomes
+        .iter()
+        .flat_map(|outcome| match &outcome.result {
+            Ok(held) => of_frame(&outcome.asked, held, rules),
             Err(refused) => vec![of_refusal(&outcome.asked, refused, rules)],
         })
         .collect();
@@ -34,12 +35,12 @@ pub fn log(outcomes: &[Outcome], rules: &[&Rule]) -> String {
     format!("{log:#}\n")
 }
 
-fn of_frame(asked: &str, name: &str, held: &CheckedFrame, rules: &[&Rule]) -> Vec<Value> {
+fn of_frame(asked: &str, held: &CheckedFrame, rules: &[&Rule]) -> Vec<Value> {
     let reported = held.findings.iter().filter(|judged| judged.standing != Standing::Good);
-    reported.map(|judged| result([asked, name], held, judged, rules)).collect()
+    reported.map(|judged| result(asked, held, judged, rules)).collect()
 }
 
-fn result([asked, name]: [&str; 2], held: &CheckedFrame, judged: &Judged, rules: &[&Rule]) -> Value {
+fn result(asked: &str, held: &CheckedFrame, judged: &Judged, rules: &[&Rule]) -> Value {
     let Judged { finding, standing, spots, made_of, .. } = judged;
     let level = match standing {
         Standing::Fails => "error",
@@ -53,8 +54,11 @@ fn result([asked, name]: [&str; 2], held: &CheckedFrame, judged: &Judged, rules:
         "message": { "text": text },
         "locations": spots.first().map(location).into_iter().collect::<Vec<_>>(),
         "relatedLocations": spots.iter().skip(1).map(location).collect::<Vec<_>>(),
-        // The same finding in the next run, whatever its numbers.
-        "partialFingerprints": { "frameRuleSubject/v1": format!("{name}/{}/{}", finding.rule, finding.subject) },
+        // The same finding in the next run, whatever its numbers and whatever other frames are checked. Of two frames of one name the file differs.
+        "partialFingerprints": {
+            "frameRuleSubject/v1": format!("{}/{}/{}", held.frame, finding.rule, finding.subject),
+            "frameFile/v1": asked,
+        },
         "properties": { "frame": asked, "value": finding.value, "limit": finding.limit, "margin": finding.margin, "unit": finding.unit },
     });
     number_rule(&mut result, rules);

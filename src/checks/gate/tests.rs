@@ -24,12 +24,16 @@ fn planted_a_rule_needs_nothing_but_its_record() {
     let described = &run["tool"]["driver"]["rules"][last];
     assert_eq!((&described["id"], &described["shortDescription"]["text"]), (&"toy".into(), &TOY.sentence().into()));
     assert_eq!((&run["results"][0]["ruleId"], &run["results"][0]["ruleIndex"]), (&"toy".into(), &last.into()));
-    assert_eq!(run["results"][0]["partialFingerprints"]["frameRuleSubject/v1"], "short/toy/ring");
-    // Two frames of one name, which a reader would take for one.
+    // Two frames of one name, which a reader would take for one; and what is the same of one of them in a list without the other.
     let both = [outcome("a/short.toml"), outcome("b/short.toml")];
-    let log: serde_json::Value = serde_json::from_str(&sarif::log(&both, &rules)).expect("JSON");
-    let prints = [0, 1].map(|at| log["runs"][0]["results"][at]["partialFingerprints"]["frameRuleSubject/v1"].clone());
-    assert_eq!(prints, ["a/short.toml/toy/ring", "b/short.toml/toy/ring"]);
+    let prints = |outcomes: &[Outcome]| {
+        let log: serde_json::Value = serde_json::from_str(&sarif::log(outcomes, &rules)).expect("JSON");
+        let results = log["runs"][0]["results"].as_array().cloned().unwrap_or_default();
+        results.iter().map(|result| result["partialFingerprints"].clone()).collect::<Vec<_>>()
+    };
+    let of = |file: &str| serde_json::json!({ "frameRuleSubject/v1": "short/toy/ring", "frameFile/v1": file });
+    assert_eq!(prints(&both), [of("a/short.toml"), of("b/short.toml")]);
+    assert_eq!(prints(&both[..1]), [of("a/short.toml")]);
     let report = junit::xml(&both).expect("writes");
     assert!(["a", "b"].iter().all(|folder| report.contains(&format!("classname=\"flexframe.{folder}/short.toml\""))), "{report}");
     assert_eq!(table_line(&TOY), "| `toy` | the rods of the ring are long enough for a toy | `[limits]` `part_clearance_mm` |");
