@@ -33,18 +33,19 @@ impl Revision {
     /// [`Failure::Usage`] when there is no repository, or no such revision; [`Failure::Machine`] when git cannot be run.
     pub fn of(file: &Path, name: &str) -> Result<Self, Failure> {
         let folder = file.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        let usage = |message: String| Failure::Usage { message };
+        let usage = |what: String, reason: String| Failure::Usage { message: with_reason(what, &reason) };
         // A hook runs with GIT_DIR=.git, which means nothing in another folder: what lies around the file comes first.
         let mut found = Found::Around;
         let mut top = git(found, folder, &["rev-parse", "--show-toplevel"])?;
-        if top.is_none() {
+        if let Err(around) = top {
             found = Found::Named;
-            top = git(found, folder, &["rev-parse", "--show-toplevel"])?;
+            // Why git reads none where it looked first is what a person can mend.
+            top = git(found, folder, &["rev-parse", "--show-toplevel"])?.map_err(|_| around);
         }
-        let top = top.ok_or_else(|| usage(format!("{} lies in no git repository", file.display())))?;
+        let top = top.map_err(|reason| usage(format!("{} lies in no git repository that git reads", file.display()), reason))?;
         // Without --end-of-options a name that begins with a dash would be taken for an option.
-        let commit = git(found, folder, &["rev-parse", "--verify", "--quiet", "--end-of-options", &format!("{name}^{{commit}}")])?;
-        let commit = commit.ok_or_else(|| usage(format!("this repository has no revision `{name}`")))?;
+        let commit = git(found, folder, &["rev-parse", "--verify", "--end-of-options", &format!("{name}^{{commit}}")])?;
+        let commit = commit.map_err(|reason| usage(format!("this repository has no revision `{name}`"), reason))?;
         Ok(Self { commit, top: PathBuf::from(top), found })
     }
 
@@ -109,14 +110,19 @@ impl Files for Revision {
     fn bytes(&self, path: &Path, most: u64) -> io::Result<Vec<u8>> {
         let nowhere = || io::Error::new(io::ErrorKind::NotFound, format!("it is not in {}", self.short()));
         let blob = self.blob(path).ok_or_else(nowhere)?;
-        let mut child = command(self.found, &self.top, &["cat-file", "blob", &blob]).stdout(Stdio::piped()).spawn()?;
+        let mut child =
+            command(self.found, &self.top, &["cat-file", "blob", &blob]).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn()?;
         let mut bytes = Vec::new();
         if let Some(out) = child.stdout.take() {
             io::Read::read_to_end(&mut io::Read::take(out, most), &mut bytes)?;
         }
         // A longer file leaves git with a closed pipe, which is not its failure.
-        let status = child.wait()?;
-        if status.success() || bytes.len() as u64 >= most { Ok(bytes) } else { Err(nowhere()) }
+        let done = child.wait_with_output()?;
+        if done.status.success() || bytes.len() as u64 >= most {
+            return Ok(bytes);
+        }
+        let what = format!("git does not read it in {}", self.short());
+        Err(io::Error::other(with_reason(what, String::from_utf8_lossy(&done.stderr).trim_end())))
     }
 }
 
@@ -131,8 +137,18 @@ fn command(found: Found, folder: &Path, arguments: &[&str]) -> Command {
     command
 }
 
-/// What git prints, without the line's end; none when it fails.
-fn git(found: Found, folder: &Path, arguments: &[&str]) -> Result<Option<String>, Failure> {
-    let output = command(found, folder, arguments).output().map_err(|error| Failure::Machine { what: "cannot run git".into(), error })?;
-    Ok(output.status.success().then(|| String::from_utf8_lossy(&output.stdout).trim_end().to_string()))
+/// What git prints, without the line's end; when it fails, why.
+fn git(found: Found, folder: &Path, arguments: &[&str]) -> Result<Result<String, String>, Failure> {
+    let output = command(found, folder, arguments)
+        .stderr(Stdio::piped())
+        .output()
+        .map_err(|error| Failure::Machine { what: "cannot run git".into(), error })?;
+    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).trim_end().to_string();
+    Ok(if output.status.success() { Ok(text(&output.stdout)) } else { Err(text(&output.stderr)) })
+}
+
+/// A message with what git said, in one line, where it said something.
+fn with_reason(what: String, reason: &str) -> String {
+    let reason = reason.lines().map(str::trim).filter(|line| !line.is_empty()).collect::<Vec<_>>().join(" ");
+    if reason.is_empty() { what } else { format!("{what}; git says: {reason}") }
 }

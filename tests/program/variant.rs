@@ -151,6 +151,17 @@ fn analytic_diff_writes_page_and_picture() {
     assert!(fs::read(bench.path("again/diff-cognifly-cognifly-mini/diff.png")).expect("is there") == picture, "the same bytes");
 }
 
+/// A repository that git refuses is not the same as none.
+#[test]
+fn planted_why_git_reads_no_repository_is_told() {
+    let bench = Bench::new(&[("mine.toml", "base = \"cognifly\"\n")]);
+    bench.git(&["init", "--quiet"]);
+    bench.write(".git/config", "no line of a configuration\n");
+    let (code, _, err) = bench.run(&["diff", "--git", "HEAD", "mine.toml"]);
+    assert_eq!(code, 2, "{err}");
+    assert!(err.contains("mine.toml lies in no git repository that git reads; git says: ") && err.contains("bad config line 1"), "{err}");
+}
+
 #[test]
 fn planted_a_file_against_its_former_self() {
     let bench = Bench::new(&[("base.toml", "base = \"cognifly\"\n[limits]\nmass_budget_g = 240.0\n"), ("mine.toml", "base = \"base\"\n")]);
@@ -163,7 +174,10 @@ fn planted_a_file_against_its_former_self() {
     assert_eq!(code, 0, "{err}");
     assert!(out.starts_with("a: mine@") && out.contains("limits.mass_budget_g") && out.contains("battery-2s-850"), "{out}");
     for (arguments, says) in [
-        (&["diff", "--git", "nowhere", "mine.toml"][..], "this repository has no revision `nowhere`"),
+        (
+            &["diff", "--git", "nowhere", "mine.toml"][..],
+            "this repository has no revision `nowhere`; git says: fatal: Needed a single revision",
+        ),
         (&["diff", "--git=--output=x", "mine.toml"], "this repository has no revision `--output=x`"),
         (&["diff", "--git", "HEAD", "cognifly"], "cognifly is a preset"),
         (&["diff", "--git", "HEAD", "frames/mine"], "frames/mine is neither a file nor a preset: the name of a frame's file ends in .toml"),
