@@ -14,7 +14,7 @@ use super::output;
 use super::progress::Progress;
 use super::session;
 use super::terminal;
-use crate::checks::{Cost, FOLD_SEQUENCE, Finding, Verdict, check_by};
+use crate::checks::{Cost, FOLD_SEQUENCE, Finding, Verdict, check, check_by};
 use crate::export::{fold_glb, fold_json};
 use crate::frame::assembly::{Design, mass};
 use crate::frame::fold::{FoldSequence, sweeps};
@@ -147,10 +147,15 @@ fn named_pictures(booklet: &Booklet) -> Vec<(String, &Picture)> {
     pictures
 }
 
+fn instructions(design: &Design, sequence: &FoldSequence) -> Booklet {
+    let masses = mass::table(design);
+    Booklet::new(design, &masses, sequence, &check(design, &masses))
+}
+
 fn everything(design: &Design, sequence: &FoldSequence) -> Result<Vec<(String, Vec<u8>)>, Failure> {
     let steps = steps_as_json(design, sequence)?;
     // The steps come first: the booklet reads what was compared for them.
-    let (motion, booklet) = rayon::join(|| fold_glb::fold(design, sequence), || Booklet::new(design, &mass::table(design), sequence));
+    let (motion, booklet) = rayon::join(|| fold_glb::fold(design, sequence), || instructions(design, sequence));
     let pictures = named_pictures(&booklet);
     let ((page, paper), encoded) = rayon::join(
         || rayon::join(|| booklet_html::html(&booklet), || booklet_pdf::pdf(&booklet)),

@@ -255,13 +255,18 @@ fn sought<'a>(design: &Design, role: &str, part: &'a BoughtPart) -> Cow<'a, Boug
 
 /// What weighs and has to be had, but stands in no catalogue.
 fn extra_lines(design: &Design, masses: &MassTable) -> Vec<BuyLine> {
+    let is_thing = |name: &str| design.frame.built_in_things().any(|(thing, _)| thing == name);
     let line = |line: &MassLine| BuyLine {
         role: line.name.clone(),
         kind: "extra".into(),
         quantity: line.quantity,
         with_spares: line.quantity,
-        search: if line.name == "receiver" { RECEIVER_SEARCH.into() } else { String::new() },
-        note: extra_note(&line.name).into(),
+        search: match &*line.name {
+            "receiver" => RECEIVER_SEARCH.into(),
+            name if is_thing(name) => name.replace('_', " "),
+            _ => String::new(),
+        },
+        note: extra_note(&line.name, is_thing(&line.name)).into(),
         mass_g: Some(line.total_g),
         mass_basis: Some(line.basis.clone()),
         source: design.frame.extras.get(&line.name).map_or(String::new(), |extra| extra.source.clone()),
@@ -287,10 +292,11 @@ fn bought_note(frame: &Frame, role: &str) -> String {
     }
 }
 
-/// What an extra is to the buyer: a receiver itself, or a mass of several things.
-fn extra_note(name: &str) -> &'static str {
+/// What an extra is to the buyer: a receiver, another thing, or a mass of several things.
+fn extra_note(name: &str, is_thing: bool) -> &'static str {
     match name {
         "receiver" => "of your transmitter's protocol; its mass is the frame file's",
+        _ if is_thing => "bought or made by what the frame's file says of it; its mass is the file's",
         _ => "a mass; what of it is bought has lines of its own where it is known",
     }
 }
@@ -350,6 +356,24 @@ mod tests {
     use super::*;
     use crate::frame::assembly::mass;
     use crate::params::Frame;
+
+    /// A transmitter and what stands for a part are bought; wires have lines of their own, and what weighs other parts is nothing.
+    #[test]
+    fn planted_extras_are_bought_where_they_are_things() {
+        let extra = |name: &str, covers: &str| {
+            format!("[extras.{name}]\nmass_g = 4.0\nmass_basis = \"estimate\"\nsource = \"a guess\"\ncovers = [{covers}]\n")
+        };
+        let extras = [extra("video_transmitter", ""), extra("straps", "\"tie\""), extra("weighed", "\"battery\"")].concat();
+        let text = format!("base = \"cognifly\"\n[bought]\ntie = \"none\"\n{extras}");
+        let file = crate::params::FrameFile::parse("own.toml", &text).expect("reads");
+        let design = Design::new(Frame::resolve(&file).expect("resolves")).expect("closes");
+        let lines = extra_lines(&design, &mass::table(&design));
+        let of =
+            |role: &str| lines.iter().find(|line| line.role == role).map(|line| (&*line.search, line.note.starts_with("bought or made")));
+        assert_eq!(of("video_transmitter"), Some(("video transmitter", true)));
+        assert_eq!(of("straps"), Some(("straps", true)));
+        assert_eq!((of("weighed"), of("wiring")), (Some(("", false)), Some(("", false))));
+    }
 
     #[test]
     fn analytic_the_battery_to_look_for_is_as_large_as_its_sleeve() {

@@ -8,7 +8,8 @@ use crate::frame::assembly::Design;
 use crate::frame::assembly::cables::{CABLES, Cable};
 use crate::frame::assembly::wire::Wire;
 use crate::frame::assembly::wires::wires as drawn_wires;
-use crate::frame::mounting::{CarrierScrews, Fixing, Mount, Tool, mounts_of};
+use crate::frame::fold::Tool;
+use crate::frame::mounting::{CameraScrews, CarrierScrews, Fixing, Mount, mounts_of};
 use crate::params::frame::NamedMaterial;
 use crate::printing::filament::filament_m;
 
@@ -135,14 +136,17 @@ fn takes(mount: &Mount, any: &[Tool]) -> bool {
     any.iter().any(|tool| mount.tools.contains(tool))
 }
 
-/// How many of which screws the computer takes, where that is known.
+/// How many of which screws computer and camera take, where that is known.
 fn sizes_of_screws(design: &Design) -> String {
-    let Some(screws) = CarrierScrews::new(&design.frame) else { return String::new() };
-    let on_board = screws.words(screws.on_board);
-    match screws.on_feet {
-        Some(on_feet) => format!("; the computer takes 2 x {on_board} and 2 x {}", screws.words(on_feet)),
-        None => format!("; the computer takes 4 x {on_board}"),
-    }
+    let of_computer = CarrierScrews::new(&design.frame).map(|screws| {
+        let on_board = screws.words(screws.on_board);
+        match screws.on_feet {
+            Some(on_feet) => format!("; the computer takes 2 x {on_board} and 2 x {}", screws.words(on_feet)),
+            None => format!("; the computer takes 4 x {on_board}"),
+        }
+    });
+    let of_camera = CameraScrews::new(&design.frame).map(|screws| format!("; the camera takes {}", screws.bill_words()));
+    of_computer.into_iter().chain(of_camera).collect()
 }
 
 /// What a design's mounts fix with. Of small ties each mount takes one; of the rest one package is enough.
@@ -180,8 +184,19 @@ fn wires(design: &Design) -> Vec<Supply> {
             role: "battery_wire".into(),
             quantity: 2,
             length_mm: Some(with_slack(way_mm)),
-            search: "silicone stranded wire as thick as the connector's".into(),
+            search: BATTERY_WIRE_SEARCH.into(),
             note: format!("power connector to controller {way_mm:.0} mm, as drawn in frame.glb; {}", slack_words()),
+        });
+    }
+    let has = |role: &str| design.frame.bought.contains_key(role);
+    if has("connector") && longest("battery_wire").is_none() {
+        all.push(Supply {
+            quantity: 2,
+            ..Supply::one(
+                "battery_wire",
+                BATTERY_WIRE_SEARCH,
+                "power connector to what drives the motors: where that is is not known, so measure how long they have to be",
+            )
         });
     }
     for Cable { role, search, begins, .. } in &CABLES {
@@ -201,6 +216,8 @@ fn wires(design: &Design) -> Vec<Supply> {
     }
     all
 }
+
+const BATTERY_WIRE_SEARCH: &str = "silicone stranded wire as thick as the connector's";
 
 /// The cable that is sold in certain lengths and cannot be cut.
 const RIBBON: &str = "camera_cable";
@@ -277,6 +294,27 @@ mod tests {
         assert!(foam.contains("receiver onto the plate") && foam.contains("GPS"), "{foam}");
         assert!(line(&all, "tape").note.contains("GPS"), "its cable is taped to the mast");
         assert!(all.iter().all(|one| one.role != "receiver"), "the chosen receiver is bought once: {all:?}");
+    }
+
+    /// Single controllers have their terminals where nobody knows; the connector's leads are soldered all the same.
+    #[test]
+    fn planted_leads_of_the_connector_are_bought_without_a_board_under_the_hub() {
+        let of = |bought: &str, covers: &str| {
+            let extra = format!("mass_g = 14.0\nmass_basis = \"estimate\"\nsource = \"a guess\"\ncovers = {covers}\n");
+            let text = format!("base = \"cognifly\"\n[bought]\n{bought}[extras.own]\n{extra}");
+            let file = FrameFile::parse("own.toml", &text).expect("reads");
+            supplies(&Design::new(Frame::resolve(&file).expect("resolves")).expect("can be made"))
+        };
+        let wire = line(&of("motor_controller = \"none\"\n", "[\"motor_controller\"]"), "battery_wire");
+        assert!(wire.quantity == 2 && wire.length_mm.is_none() && wire.note.contains("measure how long"), "{wire:?}");
+        let bare = of("motor_controller = \"none\"\nconnector = \"none\"\n", "[\"motor_controller\", \"connector\"]");
+        assert!(bare.iter().all(|one| one.role != "battery_wire"), "{bare:?}");
+    }
+
+    #[test]
+    fn analytic_screws_of_computer_and_camera_have_numbers_and_sizes() {
+        let note = line(&supplies(&Design::new(frame("cognifly")).expect("can be made")), SMALL_SCREWS).note;
+        assert!(note.ends_with("the computer takes 2 x M2 x 4 and 2 x M2 x 8; the camera takes 4 x M2 x 8 with nuts"), "{note}");
     }
 
     #[test]

@@ -140,6 +140,9 @@ pub fn catalogue() -> impl Iterator<Item = &'static Parameter> {
     .flatten()
 }
 
+/// The extra that stands for wires and small parts.
+const WIRING: &str = "wiring";
+
 /// Rows of wire holes in the bracket's front upright.
 pub const WIRE_ROWS: u8 = 3;
 
@@ -216,6 +219,12 @@ impl Frame {
             false => self.replaced(extra).next().is_some(),
         };
         self.extras.iter().filter(move |(_, extra)| is_built_in(extra))
+    }
+
+    /// Those of its built-in extras that are bought or made as such: wires and small parts have lines and steps of their own, and stand as one
+    /// mass in the file.
+    pub fn built_in_things(&self) -> impl Iterator<Item = (&String, &Extra)> {
+        self.built_in_extras().filter(|(name, extra)| *name != WIRING || self.replaced(extra).next().is_some())
     }
 
     /// Roles that an extra stands for: of those that it covers the ones of which nothing is bought.

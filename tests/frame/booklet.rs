@@ -1,5 +1,6 @@
 //! The printed instructions of every frame: nothing lies on anything else, nothing leaves its sheet, and nothing is left out.
 
+use flexframe::checks::check;
 use flexframe::export::bill::bill;
 use flexframe::frame::assembly::{Design, mass};
 use flexframe::frame::fold::FoldSequence;
@@ -17,9 +18,13 @@ const TOUCHING: f32 = 0.01;
 const FRAME: f32 = 6.0;
 
 fn designed(name: &str) -> (Design, Booklet) {
-    let design = Design::with(Frame::load(name).expect("a frame").0, common::memo()).expect("designs");
+    written(Design::with(Frame::load(name).expect("a frame").0, common::memo()).expect("designs"))
+}
+
+fn written(design: Design) -> (Design, Booklet) {
     let fold = FoldSequence::new(&design.frame, &design.skeleton).expect("can be folded");
-    let booklet = Booklet::new(&design, &mass::table(&design), &fold);
+    let masses = mass::table(&design);
+    let booklet = Booklet::new(&design, &masses, &fold, &check(&design, &masses));
     (design, booklet)
 }
 
@@ -133,6 +138,44 @@ fn regress_an_extra_that_weighs_other_parts_is_nothing_to_have_at_hand() {
     assert_eq!(design.frame.built_in_extras().count(), 0);
     let wiring = booklet.after.iter().find(|panel| panel.heading.ends_with("Motor wires")).expect("a step of wires");
     assert!(wiring.parts.iter().all(|line| line.part != "wiring"), "{:?}", wiring.parts);
+}
+
+/// The preset has the real frame's sizes, which miss some limits: who builds it reads that first.
+#[test]
+fn regress_violated_limits_are_on_the_first_page() {
+    let (_, booklet) = designed("cognifly-v8");
+    let told = booklet.preface.iter().find(|line| line.starts_with("This frame violates limits")).expect("is told");
+    assert!(told.contains("propeller clearance: propeller_FR passes ") && told.contains("more like it"), "{told}");
+    assert!(booklet.pages.iter().filter_map(|page| page.caution.as_ref()).all(|caution| !caution.contains("propeller is clear")));
+    let (_, good) = designed("cognifly");
+    assert!(good.preface.iter().all(|line| !line.contains("violates limits")), "{:?}", good.preface);
+}
+
+/// A ring on a rod is drawn with something, at a length that is measured; so is glue at hand where a step speaks of it.
+#[test]
+fn regress_steps_with_a_ring_or_glue_name_what_it_takes() {
+    let (_, booklet) = designed("cognifly");
+    let rings: Vec<_> = booklet.pages.iter().filter(|page| page.measures.iter().any(|line| line.contains("draw it all round"))).collect();
+    assert!(rings.len() > 5 && rings.iter().all(|page| page.facts.contains("ruler or caliper, pen for plastics")), "{}", rings.len());
+    let glued = |caution: &String| caution.contains("cyanoacrylate") || caution.contains("Glue only a rod");
+    let glued: Vec<_> = booklet.pages.iter().filter(|page| page.caution.as_ref().is_some_and(glued)).collect();
+    assert!(glued.len() > 2 && glued.iter().all(|page| page.facts.contains("cyanoacrylate")), "{}", glued.len());
+}
+
+/// Names have no spaces to break at, and up to a hundred letters.
+#[test]
+fn planted_long_names_stay_in_their_columns() {
+    let mut frame = Frame::load("cognifly").expect("a frame").0;
+    frame.name = "w".repeat(100);
+    frame.flexible.name = "a-material-with-a-rather-long-name".repeat(2);
+    let (_, booklet) = written(Design::with(frame, common::memo()).expect("designs"));
+    let marks = marks(&booklet).expect("the typeface reads");
+    for sheet in marks.chunk_by(|a, b| a.sheet == b.sheet) {
+        let pair = overlapping(sheet).map(|pair| pair.map(words_of));
+        assert!(pair.is_none() && !sheet.iter().any(leaves_its_sheet), "sheet {}: {pair:?}", sheet[0].sheet + 1);
+    }
+    let all = printed(&marks).replace(' ', "");
+    assert!(all.contains(&"w".repeat(100)) && all.contains(&"a-material-with-a-rather-long-name".repeat(2)));
 }
 
 /// Words that no sheet has room for beside a picture: each mount has a sheet of its own, and the words go on on the next.

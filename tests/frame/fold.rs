@@ -415,7 +415,7 @@ fn regress_instructions_have_every_step_and_need_nothing_else() {
     let design = designed("cognifly-mini");
     let sequence = FoldSequence::new(&design.frame, &design.skeleton).expect("can be folded");
     let mounting = Mounting::new(&design, &sequence);
-    let booklet = Booklet::new(&design, &mass::table(&design), &sequence);
+    let booklet = Booklet::new(&design, &mass::table(&design), &sequence, &[]);
     let page = booklet_html::html(&booklet);
     assert!(!page.contains("http") && !page.contains("<script"), "fetches something");
     assert_eq!(page.matches("<section>").count(), sequence.steps.len());

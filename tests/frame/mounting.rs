@@ -82,7 +82,7 @@ fn regress_the_glue_of_the_motor_mounts_is_told_everywhere() {
     let masses = mass::table(&design);
     let bought = bill(&design, &masses, None).buy.into_iter().map(|line| line.note).collect::<Vec<_>>();
     let done = fold.steps.iter().filter_map(|step| step.caution.clone()).map(String::from).collect::<Vec<_>>();
-    let first = Booklet::new(&design, &masses, &fold).preface;
+    let first = Booklet::new(&design, &masses, &fold, &[]).preface;
     assert!(bought.iter().any(|note| note.contains("four motor mounts") && note.contains("loose in its bore")), "{bought:?}");
     assert!(first.iter().any(|line| line.contains("cyanoacrylate") && line.contains("four motor mounts")), "{first:?}");
     assert!(done.iter().any(|text| text.contains("the mount") && text.contains("cyanoacrylate")), "{done:?}");
@@ -99,7 +99,7 @@ fn planted_a_battery_that_meets_a_rod_comes_after_the_motor_wires_and_the_instru
         let of = |id: &str| mounting.after.iter().position(|step| step.mount == id).expect("a step");
         assert!(of("wiring") < of("cartridge") && of("cartridge") < of("propellers"));
         let fold = FoldSequence::new(&design.frame, &design.skeleton).expect("can be folded");
-        let booklet = Booklet::new(&design, &mass::table(&design), &fold);
+        let booklet = Booklet::new(&design, &mass::table(&design), &fold, &[]);
         assert_eq!(booklet.preface[0].contains("cannot be assembled"), barred, "{:?}", booklet.preface);
         let caution = booklet.after[of("cartridge")].caution.clone().unwrap_or_default();
         assert_eq!(caution.contains("on the way battery lid runs into cage"), barred, "{caution}");
@@ -284,6 +284,8 @@ fn regress_washers_under_the_computer_are_told_and_bought() {
     assert!(line.search.contains("washers") && line.note.contains("computer onto its carrier"), "{line:?}");
     assert!(step.text.contains("two screws M2 x 4 through its rear holes"), "{}", step.text);
     assert!(line.note.contains("2 x M2 x 4 and 2 x M2 x 8"), "{line:?}");
+    let camera = mounted(&design).before.into_iter().find(|step| step.mount == "camera").expect("is mounted");
+    assert!(camera.text.contains("four screws M2 x 8, a nut behind each post"), "{}", camera.text);
     // A boss of the hub reaches under the carrier's holes: a head or a nut has no room there.
     let hub = &design.bodies.iter().find(|body| body.name == "hub").map(|body| design.shape(body)).expect("has one").solid;
     let (carrier, low) = (&design.frame.pi_carrier, design.centre.carrier_top_mm() - design.frame.pi_carrier.carrier_thickness_mm);
@@ -306,6 +308,43 @@ fn regress_a_camera_for_goggles_says_that_its_transmitter_is_not_included() {
         "{}",
         step.text
     );
+    // It is digital: its ribbon has an end at the camera, and one at the transmitter.
+    assert!(step.text.contains("Push its ribbon into its socket now"), "{}", step.text);
+    let wiring = mounted(&design).after.into_iter().find(|step| step.mount == "wiring").expect("has a step");
+    assert!(wiring.text.contains("Push the ribbon of the camera for goggles into its video transmitter"), "{}", wiring.text);
+}
+
+/// A receiver without a body is drawn all the same: dark blue as all that a step brings.
+#[test]
+fn regress_the_receiver_is_seen_in_its_step() {
+    let design = designed("cognifly");
+    let fold = FoldSequence::new(&design.frame, &design.skeleton).expect("can be folded");
+    let booklet = Booklet::new(&design, &mass::table(&design), &fold, &[]);
+    let panel = booklet.before.iter().find(|panel| panel.heading.ends_with("Radio receiver onto the hub")).expect("has a step");
+    let blue = panel.picture.rgb.chunks_exact(3).filter(|pixel| pixel[2] > pixel[0] + 30 && pixel[2] > pixel[1] + 20).count();
+    assert!(blue > 2000, "{blue} pixels");
+    assert!(panel.held.contains("The receiver is drawn as one of 18 x 12 x 4 mm."), "{}", panel.held);
+}
+
+/// A receiver among the extras is taken in hand where it is mounted, and not again with the motor wires.
+#[test]
+fn planted_a_receiver_among_the_extras_is_mounted_once() {
+    let extra = "[extras.receiver]\nmass_g = 1.5\nmass_basis = \"datasheet\"\nsource = \"its maker\"\n";
+    let frame = common::resolve(&format!("base = \"cognifly\"\n{extra}")).expect("resolves");
+    let mounting = mounted(&Design::with(frame, common::memo()).expect("designs"));
+    let takes = |step: &&MountStep| step.parts.iter().any(|line| line.part == "receiver");
+    assert_eq!(mounting.steps().filter(takes).map(|step| step.mount).collect::<Vec<_>>(), ["radio"]);
+}
+
+/// Wires of the bill are a supply of the step that speaks of them first.
+#[test]
+fn regress_wires_are_introduced_where_they_are_first_used() {
+    let mounting = mounted(&designed("cognifly"));
+    for role in ["battery_wire", "motor_wire"] {
+        let words = format!("{}s of the bill", role.replace('_', " "));
+        let told = mounting.steps().position(|step| step.text.contains(&words));
+        assert!(told.is_some() && told == mounting.steps().position(|step| step.supplies.contains(&role)), "{role}");
+    }
 }
 
 #[test]

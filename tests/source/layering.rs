@@ -40,7 +40,7 @@ const LAYERS: [(&str, &[&str]); 41] = [
     ("frame/parts", &["units", "params", "solid", "frame/skeleton"]),
     ("frame/assembly", &["units", "memo", "params", "solid", "frame/skeleton", "frame/parts"]),
     ("frame/fold", &["units", "figures", "memo", "params", "solid", "frame/skeleton", "frame/parts", "frame/assembly"]),
-    ("frame/mounting", &["params", "solid", "frame/skeleton", "frame/assembly", "frame/fold"]),
+    ("frame/mounting", &["params", "solid", "frame/skeleton", "frame/parts", "frame/assembly", "frame/fold"]),
     ("printing/printability", &["units", "params", "solid", "frame/assembly"]),
     ("printing/print_time", &["params", "solid", "frame/assembly"]),
     ("printing/filament", &[]),

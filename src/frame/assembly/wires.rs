@@ -18,9 +18,6 @@ const RADII_MM: [f64; 2] = [1.6, 1.5];
 /// Linear colours of the motors' wires and of the battery's two.
 const COLOURS: [[f32; 4]; 3] = [[0.02, 0.02, 0.02, 1.0], [0.6, 0.01, 0.01, 1.0], [0.01, 0.01, 0.01, 1.0]];
 
-/// Roles of those that are of several bodies.
-pub const WIRES: [&str; 2] = ["motor_wire", "battery_wire"];
-
 /// The wires and cables of a design; without what it lacks.
 pub fn wires(design: &Design) -> Vec<Wire> {
     let motors = (0..MODULE_NAMES.len()).filter_map(|module| motor(design, module));
@@ -140,6 +137,21 @@ pub fn lead_ends(design: &Design, connector: &str) -> Vec<Wire> {
     LEADS.into_iter().map(lead).collect()
 }
 
+/// Both leads of the half of the power connector in the bracket where no board is under the hub for them: out of the bay, one at each open side.
+/// Where they go on to is not known.
+pub fn leads_out(design: &Design) -> Vec<Wire> {
+    let axes = design.centre.battery_axes;
+    let Some([low, high]) = own_bounds_mm(design, "battery_bracket") else { return Vec::new() };
+    let beside = |x: f64| if x < 0.0 { low.x - LEAD_MM } else { high.x + LEAD_MM };
+    let led = |mut wire: Wire| {
+        let last = wire.way.last().map(|end| axes.box_of([end.coords.into(); 2])[0]);
+        wire.way.extend(last.map(|[x, y, z]| axes.point(Point3::new(beside(x), y, z))));
+        wire.begins = wire.way.len();
+        wire
+    };
+    lead_ends(design, "connector_bracket").into_iter().map(led).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -165,6 +177,17 @@ mod tests {
             assert!(design.bodies.iter().all(|body| body.name != wire.name), "{} is weighed", wire.name);
         }
         assert!(mass::table(&design).lines.iter().all(|line| !line.name.contains("wire_")));
+    }
+
+    /// What a caption names has to be seen: within the bay the leads are behind the bracket.
+    #[test]
+    fn analytic_leads_without_a_board_leave_the_bay_at_both_sides() {
+        let design = Design::new(Frame::load("cognifly").expect("a preset").0).expect("designs");
+        let [low, high] = own_bounds_mm(&design, "battery_bracket").expect("has one");
+        let leads = leads_out(&design);
+        let ends: Vec<f64> = leads.iter().filter_map(|lead| Some(lead.way.last()?.x)).collect();
+        assert!(ends.len() == 2 && ends[0] > high.x + 20.0 && ends[1] < low.x - 20.0, "{ends:?}");
+        assert!(leads.iter().all(|lead| lead.begins == lead.way.len() && gate::pass(&lead.mesh()).is_ok()), "{leads:?}");
     }
 
     #[test]

@@ -18,6 +18,7 @@ mod sweep;
 mod task;
 mod threading;
 mod timeline;
+mod tool;
 
 pub use cut_rods::{when_cut, worn};
 pub use depth::{Depth, depth};
@@ -30,6 +31,7 @@ pub use posture::{Module, Posture, bent_by};
 pub use rules::{BrokenConstraint, Done, Rules, TOP_BENT};
 pub use sequence::{Dependence, FoldBend, FoldError, FoldSequence, Join, NEXT_MODULE, Step, inputs as fold_inputs};
 pub use sweep::{FITS_A_WAY, Meeting, Sweep, sweeps};
-pub use task::{FoldMotion, HANDS, Task};
+pub use task::{FoldMotion, Task};
 pub use threading::threading;
 pub use timeline::{Moment, STEP_S, exploded, moment, moments};
+pub use tool::{Tool, in_words};

@@ -11,6 +11,7 @@ use super::member::Member;
 use super::posture::{Module, Posture};
 use super::rules::{BrokenConstraint, Done, Rules, rods_enter_mm};
 use super::task::{FoldMotion, Task, is_seated_early};
+use super::tool::{Tool, in_words};
 use crate::figures::told_apart;
 use crate::frame::skeleton::{Centre, MODULE_NAMES, MODULE_WORDS, ModulePlaces, RodRole, Skeleton};
 use crate::memo::Key;
@@ -110,8 +111,9 @@ pub struct Step {
     pub title: &'static str,
     /// In sentences.
     pub text: Cow<'static, str>,
-    /// What it takes.
-    pub tool: &'static str,
+    /// What it takes; nothing of what hands do.
+    #[serde(rename = "tool", serialize_with = "in_a_row")]
+    pub tools: Vec<Tool>,
     /// What to take care of.
     pub caution: Option<Cow<'static, str>>,
     /// How often: once a module, or once.
@@ -209,21 +211,36 @@ fn text(task: Task, frame: &Frame, skeleton: &Skeleton) -> Cow<'static, str> {
         .into()
 }
 
+/// What the ring on a rod that tells its depth is marked with.
+const MARKING: [Tool; 2] = [Tool::Ruler, Tool::Pen];
+
+/// What a task takes, with what marks the rods whose depths it tells; each once.
+fn tools(task: Task, frame: &Frame, joins: &[Join]) -> Vec<Tool> {
+    let marking = if joins.iter().any(|join| join.depth_mm.is_some()) { &MARKING[..] } else { &[] };
+    let own = task.tools(frame).iter().filter(|tool| !marking.contains(tool));
+    marking.iter().chain(own).copied().collect()
+}
+
+fn in_a_row<S: serde::Serializer>(tools: &[Tool], to: S) -> Result<S::Ok, S::Error> {
+    to.serialize_str(&in_words(tools))
+}
+
 fn step(rules: &Rules, frame: &Frame, skeleton: &Skeleton, order: &[Task], at: usize) -> Step {
     let task = order[at];
     let done: Done = order[..at].iter().copied().collect();
     let repeats = if task == Task::PlugHub || task.closes_ring().is_some() { 1 } else { MODULE_NAMES.len() };
     let (after, before) = dependences(rules, order, at, &done);
+    let joins = joins(rules, skeleton, task);
     Step {
         number: at + 1,
         task,
         title: task.title(),
         text: text(task, frame, skeleton),
-        tool: task.tool(),
+        tools: tools(task, frame, &joins),
         caution: task.caution(frame),
         repeats,
         minutes: task.minutes() * repeats as f64,
-        joins: joins(rules, skeleton, task),
+        joins,
         bends: bends(rules, frame, task, &done),
         loop_error_mm: (task == Task::CloseTriangle).then(|| loop_error_mm(rules, skeleton, &done)),
         after,

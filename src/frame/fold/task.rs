@@ -7,10 +7,8 @@ use serde::Serialize;
 
 use super::cut_rods;
 use super::member::{Member, left, outward};
+use super::tool::Tool;
 use crate::params::Frame;
-
-/// In place of a tool, where a task takes none.
-pub const HANDS: &str = "hands";
 
 /// A task in each module.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
@@ -235,12 +233,15 @@ impl Task {
         }
     }
 
-    /// The tool or trick.
-    pub fn tool(self) -> &'static str {
+    /// What it takes in a frame, beside what a ring on a rod is marked with; nothing of what hands do.
+    pub fn tools(self, frame: &Frame) -> &'static [Tool] {
         match self {
-            Self::ThreadKnee => "thin pliers",
-            Self::SeatMotor => "thin screwdriver or hex key",
-            _ => HANDS,
+            Self::ThreadKnee => &[Tool::ThinPliers],
+            Self::PushArms | Self::PushLeg | Self::PushStruts | Self::PushBottomCage | Self::PushTopCage => &[Tool::RodGlue],
+            Self::SeatMotor if is_seated_early(frame) => &[Tool::ThinScrewdriver],
+            Self::SeatMotor => &[Tool::ThinScrewdriver, Tool::Ruler, Tool::MountGlue],
+            Self::CloseTriangle if is_seated_early(frame) => &[Tool::MountGlue],
+            _ => &[],
         }
     }
 
@@ -281,7 +282,7 @@ pub(super) fn is_seated_early(frame: &Frame) -> bool {
 /// Where the mount belongs along arms that are home, and what keeps it there.
 fn mount_to_its_place(frame: &Frame) -> String {
     format!(
-        "the mount along the arms until {:.1} mm of each show between its ring and the fork: there the propeller is clear of the frame. Nothing \
+        "the mount along the arms until {:.1} mm of each show between its ring and the fork: that is its place in the design. Nothing \
          else holds it there: put a drop of cyanoacrylate, or a turn of tape, on each arm at the ring.",
         mount_to_fork_mm(frame)
     )

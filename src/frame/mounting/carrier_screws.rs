@@ -1,14 +1,15 @@
 //! The screws that hold the computer on its carrier. The hub lies right under the carrier, so they have no nuts: they come from above, cut their
 //! thread in the carrier's holes, and end above the hub.
 
+use super::mount::TIE;
 use super::pilot_hole::{holds_mm, is_held};
 use crate::params::Frame;
 use crate::params::catalogue::BoughtPart;
 
 /// Threads of small screws, mm.
-const THREADS_MM: [f64; 3] = [2.0, 2.5, 3.0];
+pub(super) const THREADS_MM: [f64; 3] = [2.0, 2.5, 3.0];
 /// Lengths that they are sold in, mm.
-const LENGTHS_MM: [f64; 8] = [3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 16.0];
+pub(super) const LENGTHS_MM: [f64; 8] = [3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 16.0];
 /// What the washers under the board are thicker than the strap of a tie that passes beside them, mm.
 const ABOVE_STRAP_MM: f64 = 0.1;
 /// Thickness of the strap of a tie whose entry does not state it, mm.
@@ -53,8 +54,7 @@ impl CarrierScrews {
     pub fn new(frame: &Frame) -> Option<Self> {
         let board = &frame.bought.get("computer")?.part;
         let thread_mm = Self::thread_mm(frame)?;
-        let strap_mm = frame.bought.get("tie").and_then(|tie| tie.part.strap_mm).map_or(USUAL_STRAP_MM, |strap| strap[1]);
-        let clamped_mm = board.board_mm() + strap_mm + ABOVE_STRAP_MM;
+        let clamped_mm = board.board_mm() + washers_mm(frame);
         let of = |clamped_mm: f64| CarrierScrew::longest(clamped_mm, frame.pi_carrier.carrier_thickness_mm);
         let on_feet = match frame.bought.contains_key("camera") {
             true => Some(of(frame.camera.camera_foot_mm + clamped_mm)?),
@@ -79,6 +79,12 @@ impl CarrierScrews {
     pub fn words(&self, screw: CarrierScrew) -> String {
         format!("M{} x {}", self.thread_mm, screw.length_mm)
     }
+}
+
+/// Thickness of the washers on each of the carrier's holes together, mm: the strap of a tie passes beside them.
+pub(super) fn washers_mm(frame: &Frame) -> f64 {
+    let strap_mm = frame.bought.get(TIE).and_then(|tie| tie.part.strap_mm).map_or(USUAL_STRAP_MM, |strap| strap[1]);
+    strap_mm + ABOVE_STRAP_MM
 }
 
 /// Threads that pass a board's holes, the smallest first.

@@ -1,15 +1,18 @@
 //! Figures of a design, and sentences about them, in the texts of its mounts.
 
-use super::carrier_screws::CarrierScrews;
+use super::camera_screws::CameraScrews;
+use super::carrier_screws::{CarrierScrews, washers_mm};
 use super::fragments::instead;
-use super::mount::{BATTERY_REAR, COMPUTER_SCREWS, EXTRA_LEADS, EXTRAS, FOOT_SCREWS, FPV_TILT, HEX_KEY, LOOSE, TIES};
+use super::mount::{
+    BATTERY_REAR, CAMERA_SCREWS, COMPUTER_SCREWS, EXTRA_LEADS, EXTRAS, FOOT_SCREWS, FPV_RIBBON, FPV_TILT, HEX_KEY, LOOSE, RADIO, RECEIVER,
+    TIE, TIES, WASHERS,
+};
+use super::mounts::MOUNTS;
 use crate::frame::assembly::Design;
 use crate::frame::assembly::cables::unconnected;
 use crate::params::Frame;
 use crate::params::frame::Extra;
 
-/// The extra that stands for wires and small parts, whose pieces have steps of their own.
-const WIRING: &str = "wiring";
 /// How far the battery's rear may be off the lid's where both count as flush, mm.
 const FLUSH_MM: f64 = 0.05;
 
@@ -18,13 +21,16 @@ pub(super) fn figures(design: &Design) -> Vec<(&'static str, String)> {
     let [computer, feet] = screws_told(design);
     vec![
         (BATTERY_REAR, battery_rear(design)),
+        (WASHERS, washers_told(&design.frame)),
         (COMPUTER_SCREWS, computer),
         (FOOT_SCREWS, feet),
+        (CAMERA_SCREWS, camera_screws(&design.frame)),
+        (FPV_RIBBON, fpv_ribbon(&design.frame).into()),
         (HEX_KEY, hex_key(&design.frame)),
         (TIES, ties_told(design)),
         (FPV_TILT, format!("{:.0}", design.frame.accessories.fpv_tilt_deg)),
         (EXTRAS, extras_told(design)),
-        (EXTRA_LEADS, extra_leads(&design.frame)),
+        (EXTRA_LEADS, extra_leads(design)),
         (LOOSE, loose_told(design)),
     ]
 }
@@ -49,21 +55,21 @@ fn laid(design: &Design) -> Option<&'static str> {
 
 /// The sentence about what falls off the hub when it is turned over.
 fn loose_told(design: &Design) -> String {
+    let until = if design.frame.bought.contains_key(TIE) { "the ties" } else { "they are fastened with the bracket" };
     laid(design).map_or_else(String::new, |name| {
         format!(
-            "The {} and what is on it are loose until the ties: tape them to the hub before you turn it over. ",
+            "The {} and what is on it are loose until {until}: tape them to the hub before you turn it over. ",
             spaced(name).replace("pi ", "")
         )
     })
 }
 
 /// What a frame file lists as extra and takes no board's place, in a row of what may be soldered to a board.
-fn extra_leads(frame: &Frame) -> String {
-    let names: Vec<String> = frame
-        .built_in_extras()
-        .filter(|(name, extra)| !is_wiring(frame, name, extra) && frame.replaced(extra).next().is_none())
-        .map(|(name, _)| spaced(name))
-        .collect();
+fn extra_leads(design: &Design) -> String {
+    let frame = &design.frame;
+    let is_told = |name: &str| is_mounted_receiver(design, name);
+    let has_leads = |(name, extra): &(&String, &Extra)| !is_told(name) && frame.replaced(extra).next().is_none();
+    let names: Vec<String> = frame.built_in_things().filter(has_leads).map(|(name, _)| spaced(name)).collect();
     if names.is_empty() { String::new() } else { format!(", and for what of the file's extras has leads ({})", names.join(", ")) }
 }
 
@@ -92,25 +98,64 @@ fn extras_told(design: &Design) -> String {
         let name = spaced(name);
         if replaced.is_empty() { name } else { format!("{name} (for the {replaced})") }
     };
-    let is_told_here = |(name, extra): &(&String, &Extra)| !is_wiring(frame, name, extra) && !is_told_before(frame, extra);
-    let names: Vec<String> = frame.built_in_extras().filter(is_told_here).map(named).collect();
+    let is_told_here = |(name, extra): &(&String, &Extra)| !is_mounted_receiver(design, name) && !is_told_before(frame, extra);
+    let names: Vec<String> = frame.built_in_things().filter(is_told_here).map(named).collect();
     let listed = match names.is_empty() {
         true => String::new(),
         false => format!(" Fasten and connect what the frame's file lists as extra, as its maker says: {}.", names.join(", ")),
     };
-    format!("{listed}{}", unconnected_told(design))
+    let ribbon =
+        if is_digital(frame) { " Push the ribbon of the camera for goggles into its video transmitter, and close the latch." } else { "" };
+    format!("{listed}{ribbon}{}", unconnected_told(design))
 }
 
-/// Whether an extra is the wires and small parts, and nothing else.
-fn is_wiring(frame: &Frame, name: &str, extra: &Extra) -> bool {
-    name == WIRING && frame.replaced(extra).next().is_none()
+/// Whether an extra is the receiver that the step of a receiver without a place of its own is about.
+fn is_mounted_receiver(design: &Design, name: &str) -> bool {
+    let has = |body: &str| design.bodies.iter().any(|other| other.name == body);
+    name == RECEIVER && MOUNTS.iter().any(|mount| mount.id == RADIO && mount.is_for(has))
+}
+
+/// Whether the camera for goggles is digital: then a ribbon leads to its video transmitter.
+fn is_digital(frame: &Frame) -> bool {
+    frame.bought.get("fpv_camera").is_some_and(|camera| camera.part.digital == Some(true))
+}
+
+/// The sentence about the ribbon of a digital camera for goggles, where it is still free.
+fn fpv_ribbon(frame: &Frame) -> &'static str {
+    match is_digital(frame) {
+        true => {
+            "Push its ribbon into its socket now and close the latch; the other end goes into the video transmitter when that is fastened. "
+        }
+        false => "",
+    }
+}
+
+/// The sentences about what lies between computer and carrier, and about what passes there.
+fn washers_told(frame: &Frame) -> String {
+    let thick = format!("together {:.1} mm thick or a little more", washers_mm(frame));
+    match frame.bought.contains_key(TIE) {
+        true => format!(
+            "{thick}: two of the ties pass between board and carrier. A drop of glue holds them. Put these two in now, one down through the hole \
+             in front and one through that at the rear, their heads outside of the carrier: under the board no tie can be threaded."
+        ),
+        false => format!(
+            "{thick}: they keep the board off the carrier. A drop of glue holds them. What of {} goes through the carrier's holes in front and at \
+             the rear goes in now: the board lies over them.",
+            instead(frame, TIE)
+        ),
+    }
+}
+
+/// The screws that hold the camera.
+fn camera_screws(frame: &Frame) -> String {
+    CameraScrews::new(frame).map_or_else(|| "small screws".into(), |screws| screws.words())
 }
 
 /// Whether an earlier step names an extra and takes it in hand: it stands for the power connector, which is soldered to a board under the hub, or for the
 /// ties of the bracket.
 fn is_told_before(frame: &Frame, extra: &Extra) -> bool {
     let replaced: Vec<&str> = frame.replaced(extra).collect();
-    !replaced.is_empty() && replaced.iter().all(|role| ["connector", "tie"].contains(role))
+    !replaced.is_empty() && replaced.iter().all(|role| ["connector", TIE].contains(role))
 }
 
 /// The sentence about what would be connected to a board under the hub that flies the frame, where an extra does.

@@ -1,6 +1,6 @@
 //! Words in the texts of mounts that depend on what a frame has bought.
 
-use super::mount::{ALL_IN_ONE, BOTH_CONTROLLERS};
+use super::mount::{ALL_IN_ONE, BOTH_CONTROLLERS, TIE};
 use crate::params::Frame;
 
 /// Words that stand for a name between braces.
@@ -19,10 +19,10 @@ const CONNECTOR: &str = "connector";
 const MAGNET: &str = "magnet";
 
 /// Roles that a text calls by the extra that stands for them, as `{instead connector}`.
-const REPLACED: [&str; 5] = [CONTROLLER, BOARD, CONNECTOR, MAGNET, "tie"];
+const REPLACED: [&str; 5] = [CONTROLLER, BOARD, CONNECTOR, MAGNET, TIE];
 
 /// All of them.
-pub(super) static FRAGMENTS: [Fragment; 23] = [
+pub(super) static FRAGMENTS: [Fragment; 24] = [
     Fragment {
         name: "{lid_now}",
         cases: &[(
@@ -67,7 +67,7 @@ pub(super) static FRAGMENTS: [Fragment; 23] = [
         name: "{power_leads}",
         cases: &[(
             &[CONNECTOR],
-            "Solder the connector's leads to the battery pads of the {power_board} at its {rear}, red to plus, black to minus, as the picture shows: they are the battery wires of the bill.",
+            "Solder the connector's leads to the battery pads of the {power_board} at its {rear}, red to plus, black to minus, as the picture shows.",
         )],
         otherwise: "Solder the leads of {instead connector} to the battery pads of the {power_board} at its {rear}, red to plus, black to minus, and lead them to the {rear}, out of the bay.",
     },
@@ -76,7 +76,7 @@ pub(super) static FRAGMENTS: [Fragment; 23] = [
         name: "{power_lengthened}",
         cases: &[(
             &[CONNECTOR],
-            "Lengthen the connector's leads by wires as thick that reach to {instead motor_controller}, red to plus, black to minus, each joint in shrink tube. ",
+            "Where the connector's leads, the battery wires of the bill, are too short, lengthen them by wires as thick that reach to {instead motor_controller}, red to plus, black to minus, each joint in shrink tube. ",
         )],
         otherwise: "",
     },
@@ -84,7 +84,7 @@ pub(super) static FRAGMENTS: [Fragment; 23] = [
         name: "{signal_wires}",
         cases: &[(
             &[BOARD],
-            "Solder the wires for the motors' signals to the flight controller, and those that it gets its own current by, or plug them in. ",
+            "Solder wires for the motors' signals to the flight controller, and those that it gets its own current by, or plug them in: the bill has none. ",
         )],
         otherwise: "",
     },
@@ -98,7 +98,26 @@ pub(super) static FRAGMENTS: [Fragment; 23] = [
         ],
         otherwise: "its pocket for a magnet to the {rear}",
     },
-    Fragment { name: "{tied}", cases: &[(&["tie"], "")], otherwise: " Fasten it with {instead tie}." },
+    Fragment {
+        name: "{tied}",
+        cases: &[
+            (&[TIE], ""),
+            (&["computer"], " Fasten it and the carrier with {instead tie}."),
+            (&["gps"], WITH_THE_PLATE),
+            (&["fpv_camera"], WITH_THE_PLATE),
+            (&["receiver"], WITH_THE_PLATE),
+            (&["buzzer"], WITH_THE_PLATE),
+        ],
+        otherwise: " Fasten it with {instead tie}.",
+    },
+    Fragment {
+        name: "{fpv_tie}",
+        cases: &[(
+            &[TIE],
+            "Put a tie down through the plate's and the hub's hole in front now, its head in front of the plate: under the camera there is little room for it. ",
+        )],
+        otherwise: "What of {instead tie} goes through the plate's and the hub's hole in front goes in now: under the camera there is little room for it. ",
+    },
     Fragment {
         name: "{controller_wires}",
         cases: &[
@@ -134,9 +153,11 @@ pub(super) static FRAGMENTS: [Fragment; 23] = [
 const RADIO_UNDER_HUB: &str = "Lead its wires down beside the hub, between two bosses, and join them to the leads of a serial port and of 5 V of the board under the hub, or plug them in.";
 const RADIO_ELSEWHERE: &str = "Join its wires to a serial port and to 5 V of {instead flight_controller}, or plug them in.";
 
+/// What holds the bracket and the plate where there are no ties.
+const WITH_THE_PLATE: &str = " Fasten it and the plate with {instead tie}.";
+
 /// What the bay leaves no room for.
-const HANG_OUT: &str =
-    "Let these wires hang out to the {left} and to the {right}, for the bill has none and in the closed bay there is no room for an iron. ";
+const HANG_OUT: &str = "Let these wires hang out to the {left} and to the {right}: in the closed bay there is no room for an iron. ";
 
 impl Fragment {
     /// The words in a frame.

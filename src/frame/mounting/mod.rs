@@ -3,6 +3,7 @@
 //! [`MOUNTS`] lists the mounts with their directions. `way` tests the meshes for collisions on the path of each mount. [`Mounting`] contains
 //! the steps in an order that follows from both.
 
+mod camera_screws;
 mod carrier_screws;
 mod figures;
 mod fragments;
@@ -13,15 +14,14 @@ mod part_lines;
 mod pilot_hole;
 #[cfg(test)]
 mod text_tests;
-mod tool;
 mod untold;
 mod way;
 
+pub use camera_screws::CameraScrews;
 pub use carrier_screws::{CarrierScrew, CarrierScrews};
 pub use mount::{Fixing, Mount, Stage};
 pub use mounting_plan::{MountStep, Mounting, Precedence, mounts_of};
 pub use mounts::MOUNTS;
 pub use part_lines::{PartLine, without_a_step};
 pub use pilot_hole::holds_mm as pilot_hole_mm;
-pub use tool::Tool;
 pub use untold::untold;

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::tool::Tool;
+use crate::frame::fold::Tool;
 use crate::frame::skeleton::{BatteryAxes, MODULE_NAMES};
 use crate::params::Frame;
 
@@ -122,6 +122,13 @@ pub(super) const PLUGGED: &str = "{cables}";
 /// In a mount's text: where the battery's rear face is in its lid.
 pub(super) const BATTERY_REAR: &str = "{battery_rear}";
 
+/// The role of the ties of the bracket.
+pub(super) const TIE: &str = "tie";
+/// The step of a receiver that has no place of its own, and the extra that is such a receiver.
+pub(super) const RADIO: &str = "radio";
+/// See [`RADIO`].
+pub(super) const RECEIVER: &str = "receiver";
+
 /// In a mount's text: the sentences about the holes that ties go through.
 pub(super) const TIES: &str = "{ties}";
 /// In a text: the tilt of a camera for goggles.
@@ -137,6 +144,12 @@ pub(super) const EXTRA_LEADS: &str = "{extra_leads}";
 /// That what lies on the hub is loose until the ties.
 pub(super) const LOOSE: &str = "{loose}";
 
+/// In a mount's text: the sentences about what lies between computer and carrier.
+pub(super) const WASHERS: &str = "{washers}";
+/// In a mount's text: what is done with the ribbon of a digital camera for goggles.
+pub(super) const FPV_RIBBON: &str = "{fpv_ribbon}";
+/// In a mount's text: the screws that hold the camera.
+pub(super) const CAMERA_SCREWS: &str = "{camera_screws}";
 /// In a mount's text: the sentences about the screws that hold the computer, and about those through the feet of the camera's connectors.
 pub(super) const COMPUTER_SCREWS: &str = "{computer_screws}";
 /// See [`COMPUTER_SCREWS`].
@@ -160,6 +173,12 @@ impl Mount {
     /// Whether a design with certain bodies has it, as far as what it is put onto, its conditions and their opposites say.
     pub(super) fn is_for(&self, has: impl Fn(&str) -> bool) -> bool {
         has(self.onto) && (self.with.is_empty() || self.with.iter().any(|name| has(name))) && !self.without.iter().any(|name| has(name))
+    }
+
+    /// What it takes in a frame: none of its ties where none are bought.
+    pub fn tools_in(&self, frame: &Frame) -> Vec<Tool> {
+        let is_tie = |tool: &Tool| matches!(tool, Tool::OneTie | Tool::TwoTies);
+        self.tools.iter().copied().filter(|tool| !is_tie(tool) || frame.bought.contains_key(TIE)).collect()
     }
 
     /// Whether each module has what it is put onto.

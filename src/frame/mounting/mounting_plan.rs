@@ -9,14 +9,14 @@ use serde::Serialize;
 
 use super::figures::figures;
 use super::fragments::filled;
-use super::mount::{ALL_IN_ONE, BOTH_CONTROLLERS, Fixing, Mount, PLUGGED, Stage};
+use super::mount::{ALL_IN_ONE, BOTH_CONTROLLERS, Fixing, Mount, PLUGGED, RECEIVER, Stage};
 use super::mounts::MOUNTS;
 use super::part_lines::{PartLine, PartsSeen, fold_bodies};
 use super::way::{Compared, Ways};
 use crate::frame::assembly::wire::Wire;
-use crate::frame::assembly::wires::{WIRES, wires};
+use crate::frame::assembly::wires::wires;
 use crate::frame::assembly::{Body, Design};
-use crate::frame::fold::{FoldSequence, Meeting, Sweep};
+use crate::frame::fold::{FoldSequence, Meeting, Sweep, in_words};
 use crate::params::Frame;
 
 /// A mount that has to come first, or later.
@@ -193,9 +193,7 @@ struct Planning<'a> {
     ways: Ways<'a>,
     frame: &'a Frame,
     mounts: Vec<&'static Mount>,
-    /// Those that are of several bodies.
-    wires: Vec<Wire>,
-    /// Those that join two bodies.
+    /// The wires that join two bodies.
     cables: Vec<Wire>,
     /// What stands for names between braces in texts.
     figures: Vec<(&'static str, String)>,
@@ -203,8 +201,8 @@ struct Planning<'a> {
 
 impl<'a> Planning<'a> {
     fn new(design: &'a Design) -> Self {
-        let (cables, wires) = wires(design).into_iter().partition(|wire| wire.joins.is_some());
-        Self { ways: Ways::new(design), frame: &design.frame, mounts: mounts_of(design), wires, cables, figures: figures(design) }
+        let cables = wires(design).into_iter().filter(|wire| wire.joins.is_some()).collect();
+        Self { ways: Ways::new(design), frame: &design.frame, mounts: mounts_of(design), cables, figures: figures(design) }
     }
 
     fn mount(&self, id: &str) -> Option<&'static Mount> {
@@ -314,10 +312,9 @@ impl<'a> Planning<'a> {
         }
     }
 
-    /// What its text tells of beside cables; no wires that the design lacks.
+    /// What its text tells of beside cables; a receiver that the frame's file lists is no supply.
     fn supplies(&self, mount: &Mount) -> impl Iterator<Item = &'static str> {
-        let is_there = |role: &&'static str| !WIRES.contains(role) || self.wires.iter().any(|wire| wire.role == *role);
-        mount.supplies.iter().copied().filter(is_there)
+        mount.supplies.iter().copied().filter(|role| *role != RECEIVER || !self.frame.extras.contains_key(RECEIVER))
     }
 
     /// What meets what on a mount's way, after those that come before it in an order.
@@ -351,7 +348,7 @@ impl<'a> Planning<'a> {
             stage: mount.stage,
             title: mount.title,
             text: self.text(mount, &cables),
-            tool: mount.tools.iter().map(|tool| tool.words()).collect::<Vec<_>>().join(", "),
+            tool: in_words(&mount.tools_in(self.frame)),
             caution: mount.caution,
             repeats,
             minutes: mount.minutes * repeats as f64,

@@ -1,7 +1,7 @@
 //! The catalogue of mounts: one record each. Nothing here says in which order.
 
-use super::mount::{ALL_IN_ONE, Fixing, Mount, Stage};
-use super::tool::Tool;
+use super::mount::{ALL_IN_ONE, Fixing, Mount, RADIO, RECEIVER, Stage};
+use crate::frame::fold::Tool;
 
 const ABOVE: Option<[f64; 3]> = Some([0.0, 0.0, 1.0]);
 const BELOW: Option<[f64; 3]> = Some([0.0, 0.0, -1.0]);
@@ -52,10 +52,11 @@ pub static MOUNTS: [Mount; 33] = [
         brings: &["connector_bracket"],
         turns: true,
         title: "Power connector into the bracket",
-        text: "Push the half with the pins into the bracket's channel, its mouth to the {rear}, its two cut corners where the channel has them, and glue it. Its two leads are soldered to it before, as the picture shows: they leave it to the {front}, into the bay.",
+        text: "Push the half with the pins into the bracket's channel, its mouth to the {rear}, its two cut corners where the channel has them, and glue it. Solder its two leads to it before, red to plus, black to minus: they are the battery wires of the bill, and leave it to the {front}, into the bay, as the picture shows.",
         caution: Some(
             "Plus and minus: the cut corners are the connector's minus side. Solder and insulate its wires before it is glued in.",
         ),
+        supplies: &["battery_wire"],
         tools: &[Tool::SolderingIron, Tool::Solder, Tool::ShrinkTube, Tool::Glue],
         ..GLUED
     },
@@ -65,7 +66,7 @@ pub static MOUNTS: [Mount; 33] = [
         from: BELOW,
         title: "Sleeve under the bracket",
         text: "Glue the bracket's base between the two ribs of the sleeve. The rim that is chamfered inside is at the {rear}, where the {rim}: the battery goes in there. A sleeve with a tray has it at the {front}.",
-        caution: Some("Let the glue harden, as its maker says, before the bracket is tied under the hub."),
+        caution: Some("Let the glue harden, as its maker says, before the bracket is fastened under the hub."),
         ..GLUED
     },
     Mount {
@@ -210,10 +211,10 @@ pub static MOUNTS: [Mount; 33] = [
         ..GLUED
     },
     Mount {
-        id: "radio",
+        id: RADIO,
         with: &["flight_controller", "motor_controller"],
-        without: &["receiver"],
-        supplies: &["receiver"],
+        without: &[RECEIVER],
+        supplies: &[RECEIVER],
         onto: "hub",
         from: None,
         fixing: Fixing::Tape,
@@ -235,7 +236,7 @@ pub static MOUNTS: [Mount; 33] = [
         from: ABOVE,
         fixing: Fixing::SmallScrews,
         title: "Computer onto its carrier",
-        text: "Where the computer has no pins, solder its pin header in first, or the leads of its cable, and put its memory card in. Lay washers on each of the carrier's four holes, together a little thicker than a tie's strap: two of the ties pass between board and carrier. A drop of glue holds them. Put these two in now, one down through the hole in front and one through that at the rear, their heads outside of the carrier: under the board no tie can be threaded. Lay the computer on the washers, hole over hole{camera_socket}. {computer_screws}",
+        text: "Where the computer has no pins, solder its pin header in first, or the leads of its cable, and put its memory card in. Lay washers on each of the carrier's four holes, {washers} Lay the computer on the washers, hole over hole{camera_socket}. {computer_screws}",
         tools: &[Tool::Washers, Tool::TwoTies, Tool::Glue, Tool::Screwdriver, Tool::SolderingIron, Tool::Solder],
         minutes: 10.0,
         ..GLUED
@@ -258,7 +259,7 @@ pub static MOUNTS: [Mount; 33] = [
         from: FRONT,
         fixing: Fixing::SmallScrews,
         title: "Camera onto its connectors",
-        text: "{cables}Set the camera with its back against the connectors' posts, hole over hole, lens to the front, and fix it with small screws.",
+        text: "{cables}Set the camera with its back against the connectors' posts, hole over hole, lens to the front, and fix it with {camera_screws}.",
         tools: &[Tool::Screwdriver],
         caution: Some("Open and close the latch of the ribbon with a finger nail, never by force."),
         ..GLUED
@@ -327,7 +328,7 @@ pub static MOUNTS: [Mount; 33] = [
         from: ABOVE,
         fixing: Fixing::SmallScrews,
         title: "Camera between the cheeks",
-        text: "Put a tie down through the plate's and the hub's hole in front now, its head in front of the plate: under the camera there is little room for it. Put the camera between the two cheeks, its lens to the front, and fix it with its two side screws. Turn it up by {fpv_tilt}° before you tighten them. A video transmitter has no place of its own here: where the frame's file lists none as extra, choose one, and its antenna, with the camera.",
+        text: "{fpv_tie}Put the camera between the two cheeks, its lens to the front, and fix it with its two side screws. Turn it up by {fpv_tilt}° before you tighten them. {fpv_ribbon}A video transmitter has no place of its own here: where the frame's file lists none as extra, choose one, and its antenna, with the camera.",
         tools: &[Tool::OneTie, Tool::Screwdriver],
         ..GLUED
     },
@@ -340,7 +341,7 @@ pub static MOUNTS: [Mount; 33] = [
         fixing: Fixing::Ties("tie"),
         title: "Bracket under the hub",
         text: "{loose}{power_leads} Solder the motor wires of the bill to its outputs, too, three for each motor, mark them with its number, and let them hang out to the {left} and to the {right}: in the closed bay there is no room for an iron. {cables}Set the bracket under the hub, {bracket_sides}, and pinch no wire between them.{tied} The bay stays open to the {left} and to the {right}, where the motor wires come out.",
-        supplies: &["battery_wire"],
+        supplies: &["motor_wire"],
         tools: &[Tool::SolderingIron, Tool::Solder, Tool::Pen, Tool::Multimeter, Tool::Tape],
         caution: Some("Solder with the battery far away. Plus to plus, minus to minus: measure before the battery is ever plugged in."),
         minutes: 20.0,
@@ -380,7 +381,6 @@ pub static MOUNTS: [Mount; 33] = [
     },
     Mount {
         id: "wiring",
-        supplies: &["motor_wire"],
         onto: "motor_controller",
         from: None,
         fixing: Fixing::Solder,

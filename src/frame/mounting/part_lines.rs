@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use serde::Serialize;
 
 use super::fragments::{extra_called, filled};
-use super::mount::{Fixing, Mount};
+use super::mount::{Fixing, Mount, RADIO, RECEIVER};
 use crate::frame::assembly::{Body, Design};
 use crate::frame::fold::{Member, Step};
 use crate::frame::skeleton::MODULE_NAMES;
@@ -84,7 +84,10 @@ impl<'a> PartsSeen<'a> {
         let taken: Vec<&String> = frame
             .built_in_extras()
             .map(|(name, _)| name)
-            .filter(|name| mount.fixing == Fixing::Solder || text.contains(&extra_called(name)))
+            .filter(|name| {
+                let is_receiver = mount.id == RADIO && *name == RECEIVER;
+                is_receiver || mount.fixing == Fixing::Solder || text.contains(&extra_called(name))
+            })
             .filter(|name| !self.extras_seen.contains(*name))
             .collect();
         lines.extend(taken.iter().map(|name| PartLine { part: (*name).clone(), count: 1.0, screw_mm: None, head_mm: None, body: None }));

@@ -40,7 +40,8 @@ fn planted_single_controllers_are_told_by_the_extras_name() {
     assert_eq!(drawn(&design), Vec::<&str>::new());
     let told = texts(&design);
     let all: String = told.values().cloned().collect();
-    assert!(!all.contains("battery pads") && !all.contains("of the bill"), "{all}");
+    assert!(!all.contains("battery pads") && !all.contains("motor wires of the bill"), "{all}");
+    assert!(told["connector_in_bracket"].contains("they are the battery wires of the bill"), "{}", told["connector_in_bracket"]);
     assert!(told["bracket_alone"].contains("that reach to the extra \"arm escs\""), "{}", told["bracket_alone"]);
     let wiring = &told["wiring_of_extra"];
     assert!(wiring.contains("Fasten the extra \"arm escs\"") && wiring.contains("arm escs (for the motor controller)"), "{wiring}");
@@ -101,6 +102,36 @@ fn planted_steps_do_not_name_what_a_frame_lacks() {
         !of_stack.contains("damper") && of_stack.contains("up to the lowest board, finger tight. No board is bent by it."),
         "{of_stack}"
     );
+}
+
+/// What fastens the bracket instead of ties is called by its name, and no step takes a tie in hand.
+#[test]
+fn planted_without_ties_no_step_takes_one() {
+    let goggles = format!("{NO_COMPUTER}fpv_camera = \"fpv-camera-14\"\n");
+    for (bought, laid, id) in [("", "carrier", "computer"), (&*goggles, "plate", "fpv_camera")] {
+        let design = design(&format!("{bought}tie = \"none\"\n"), &[("straps", "tie")]);
+        let told = texts(&design);
+        let all: String = told.values().cloned().collect();
+        for words in ["of the ties", "the ties:", "Put a tie", "two ties", "tie's strap", "no tie"] {
+            assert!(!all.contains(words), "{words}: {all}");
+        }
+        assert!(told[id].contains("What of the extra \"straps\" goes through"), "{}", told[id]);
+        let bracket = &told["bracket"];
+        assert!(bracket.contains(&format!("Fasten it and the {laid} with the extra \"straps\".")), "{bracket}");
+        assert!(bracket.contains("are loose until they are fastened with the bracket"), "{bracket}");
+        let mount = MOUNTS.iter().find(|mount| mount.id == id).expect("is a mount");
+        assert!(mount.tools_in(&design.frame).iter().all(|tool| !tool.words().contains("of the ties")), "{id}");
+        assert!(mount.tools.iter().any(|tool| tool.words().contains("of the ties")), "{id}");
+    }
+}
+
+/// A receiver that a file lists as extra has the step of a receiver, and no other.
+#[test]
+fn planted_a_receiver_among_the_extras_is_told_once() {
+    let told = told("", &[("receiver", ""), ("led_strip", "")]);
+    assert!(told["radio"].contains("stick the receiver flat"), "{}", told["radio"]);
+    assert!(told["wiring"].contains("as its maker says: led strip."), "{}", told["wiring"]);
+    assert!(told["flight_controller"].contains("has leads (led strip)"), "{}", told["flight_controller"]);
 }
 
 /// Of ISO 4762.

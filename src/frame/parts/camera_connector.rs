@@ -45,7 +45,7 @@ const FOOT_HALF_MM: f64 = 2.0;
 /// Wall of the posts around their holes, mm.
 const POST_WALL_MM: f64 = 1.2;
 /// Length of the posts, mm.
-const POST_LENGTH_MM: f64 = 3.5;
+pub const POST_LENGTH_MM: f64 = 3.5;
 /// How far the upright stays behind the posts' faces, mm.
 const UPRIGHT_BACK_MM: f64 = 1.5;
 /// Half the width of the upright, mm.

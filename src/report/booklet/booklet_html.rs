@@ -12,7 +12,7 @@ use crate::report::page::document::escaped;
 use crate::report::picture::mount_scene::Held;
 
 const STYLE: &str = "@page { size: A4; margin: 15mm } \
-p { margin: 2mm 0 } h1, h2 { margin: 3mm 0 } body { font: 11pt/1.3 sans-serif; max-width: 180mm; margin: auto; color: #000; background: #fff } \
+p { margin: 2mm 0 } h1, h2 { margin: 3mm 0; overflow-wrap: anywhere } body { overflow-wrap: break-word; font: 11pt/1.3 sans-serif; max-width: 180mm; margin: auto; color: #000; background: #fff } \
 section, section:not(.half) + section.half { break-before: page } section.half { break-before: auto; break-inside: avoid } img { width: 100%; border: 1px solid #888 } figure { margin: 1mm auto; max-width: 120mm } \
 figcaption { font-size: 9pt } table { border-collapse: collapse; font-size: 8.5pt; line-height: 1.2 } td { padding: 0 3mm 0 0; vertical-align: top } \
 .columns { display: grid; grid-template-columns: 3fr 2fr; gap: 8mm } ol { padding-left: 0; list-style: none; font-size: 8.5pt } .cover { max-width: none } \

@@ -2,10 +2,11 @@
 //! fold. Two files are written from it. A step has one number, on its page, in the names of its pictures, in `fold.json` and on the command
 //! line.
 
+use crate::checks::{Finding, Verdict};
 use crate::export::bill::{Bill, bill};
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::MassTable;
-use crate::frame::fold::{FoldBend, FoldSequence, Join, Step, Sweep, Task, sweeps, when_cut};
+use crate::frame::fold::{FoldBend, FoldSequence, Join, Step, Sweep, Task, in_words, sweeps, when_cut};
 use crate::frame::mounting::{Fixing, MountStep, Mounting, PartLine, untold, without_a_step};
 use crate::frame::skeleton::{MODULE_WORDS, ROTORS};
 use crate::report::booklet::lists::Lists;
@@ -153,8 +154,8 @@ impl OneStep {
 }
 
 impl Booklet {
-    /// The instructions of a frame.
-    pub fn new(design: &Design, masses: &MassTable, fold: &FoldSequence) -> Self {
+    /// The instructions of a frame, with what its check found.
+    pub fn new(design: &Design, masses: &MassTable, fold: &FoldSequence, findings: &[Finding]) -> Self {
         let mounting = Mounting::new(design, fold);
         let folded = fold.steps.iter().map(|step| step.minutes);
         let minutes: f64 = folded.chain(mounting.steps().map(|step| step.minutes)).sum();
@@ -166,6 +167,7 @@ impl Booklet {
         let page = |(at, step): (usize, &Step)| Page::new((design, fold), step, sweeps.get(at), (at, first), mounting.fold_parts.get(at));
         let bill = bill(design, masses, None);
         let mut preface = preface(design, &mounting, fold, minutes, &forgotten(design, &bill, &mounting));
+        preface.splice(..0, violated(findings));
         let barred_steps = barred_steps(&mounting, &sweeps);
         if !barred_steps.is_empty() {
             preface.insert(0, format!("This frame cannot be assembled as it is: something is in the way of {}.", barred_steps.join(", ")));
@@ -204,6 +206,24 @@ fn barred_steps(mounting: &Mounting, folded: &[Sweep]) -> Vec<String> {
     let folded = folded.iter().map(|sweep| barred(sweep).is_some());
     let all = mounted(&mounting.before).into_iter().chain(folded).chain(mounted(&mounting.after));
     all.enumerate().filter(|(_, barred)| *barred).map(|(at, _)| format!("step {}", at + 1)).collect()
+}
+
+/// The limits that a frame violates, each rule with what its first finding says; nothing where it holds all.
+fn violated(findings: &[Finding]) -> Option<String> {
+    let mut rules: Vec<(&Finding, usize)> = Vec::new();
+    for finding in findings.iter().filter(|finding| finding.verdict == Verdict::Violated) {
+        match rules.iter_mut().find(|(first, _)| first.rule == finding.rule) {
+            Some((_, more)) => *more += 1,
+            None => rules.push((finding, 0)),
+        }
+    }
+    let told = |(first, more): &(&Finding, usize)| {
+        let more = if *more > 0 { format!(" ({more} more like it)") } else { String::new() };
+        format!("{}: {}{more}", first.rule.replace('_', " "), first.message)
+    };
+    let told: Vec<String> = rules.iter().map(told).collect();
+    (!told.is_empty())
+        .then(|| format!("This frame violates limits, so change it before you build it. {}. `flexframe check` says more.", told.join(". ")))
 }
 
 /// A picture of each thing that a step takes in hand.
@@ -365,7 +385,7 @@ impl Page {
         Self {
             number: first + at + 1,
             heading: format!("{}. {}", first + at + 1, step.title),
-            facts: format!("{}; {}", often(step.repeats, step.minutes), step.tool),
+            facts: format!("{}; {}", often(step.repeats, step.minutes), in_words(&step.tools)),
             text: step.text.to_string(),
             measures,
             caution: cautions(sweep.and_then(barred), step.caution.as_deref()),
@@ -384,10 +404,16 @@ fn bend(bend: &FoldBend) -> String {
     format!("{part}, {}: from {:.0}° to {:.0}°{preload}{moment}.", bend.hinge, bend.from_deg, bend.to_deg)
 }
 
-/// How deep the rods go: the rings that the pictures show on them.
+/// How deep the rods go: the rings that the pictures show on them, which a person draws.
 fn depths(step: &Step) -> Vec<String> {
-    let line =
-        |join: &Join| join.depth_mm.map(|mm| format!("The ring on the rod marks how deep it is in its bore in the end: {mm:.1} mm."));
+    let line = |join: &Join| {
+        join.depth_mm.map(|mm| {
+            format!(
+                "The ring on the rod in the picture is a mark: draw it all round, {mm:.1} mm from the end that goes in, with a pen that shows on the \
+                 rod. It is at the mouth of the bore when the rod is at the bottom."
+            )
+        })
+    };
     let mut lines: Vec<String> = step.joins.iter().filter_map(line).collect();
     lines.dedup();
     lines

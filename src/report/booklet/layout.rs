@@ -183,8 +183,11 @@ impl<'a> Layout<'a> {
         let sheets = self.at.sheet + 1;
         for sheet in 0..sheets {
             let words = foot(sheet + 1, sheets);
-            let size = [self.lettering.width(&words, f64::from(FOOT)) as f32, LEADING * FOOT];
-            self.marks.push(Mark { sheet, at: [MARGIN, PAPER[1] - MARGIN + 4.0], size, what: What::Words(words, FOOT) });
+            let width = self.lettering.width(&words, f64::from(FOOT)) as f32;
+            // A line of its own: one that is too long has smaller letters.
+            let share = (self.width / width).min(1.0);
+            let size = [share * width, LEADING * share * FOOT];
+            self.marks.push(Mark { sheet, at: [MARGIN, PAPER[1] - MARGIN + 4.0], size, what: What::Words(words, share * FOOT) });
         }
         self.marks.sort_by_key(|mark| mark.sheet);
         self.marks

@@ -4,7 +4,7 @@ use crate::export::bill::{Bill, BuyLine, CutLine};
 use crate::export::cutting;
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::{LineKind, MassTable};
-use crate::frame::fold::{FoldSequence, HANDS, worn};
+use crate::frame::fold::{FoldSequence, worn};
 use crate::frame::mounting::mounts_of;
 use crate::frame::skeleton::RodRole;
 
@@ -33,7 +33,7 @@ const FOR_RODS: [&str; 3] = ["ruler or caliper", "fine saw or cutting disc", "fi
 /// Each once, in the order in which they are needed.
 fn tools(design: &Design, fold: &FoldSequence) -> Vec<&'static str> {
     let mounted = mounts_of(design).into_iter().flat_map(|mount| mount.tools).filter_map(|tool| tool.lasting());
-    let folded = fold.steps.iter().map(|step| step.tool).filter(|tool| *tool != HANDS);
+    let folded = fold.steps.iter().flat_map(|step| &step.tools).filter_map(|tool| tool.lasting());
     let mut all: Vec<&'static str> = Vec::new();
     for tool in FOR_RODS.into_iter().chain(worn(&design.frame).iter().copied()).chain(folded).chain(mounted) {
         if !all.contains(&tool) {

@@ -22,7 +22,7 @@ pub fn section(page: &mut String, design: &Design, bill: &Bill, plates: &[(Plate
         unknown(),
         "`flexframe coupon FRAME`".into(),
     ];
-    let steps = [buy(bill), try_first, print(design, bill, plates), cut(bill), put_together(design)];
+    let steps = [buy(design, bill), try_first, print(design, bill, plates), cut(bill), put_together(design)];
     for (at, [what, time, cost, place]) in steps.iter().enumerate() {
         // Writing to a String cannot fail.
         let _ = writeln!(page, "| {} | {what} | {time} | {cost} | {place} |", at + 1);
@@ -77,8 +77,10 @@ fn cut(bill: &Bill) -> Row {
     [what, unknown(), unknown(), "lengths below; [which from which](bom.csv)".into()]
 }
 
-fn buy(bill: &Bill) -> Row {
-    let lines = bill.buy.iter().filter(|line| line.kind != "extra");
+fn buy(design: &Design, bill: &Bill) -> Row {
+    // Of the extras those that are things; the others are masses of what has lines of its own.
+    let is_thing = |name: &str| design.frame.built_in_things().any(|(thing, _)| thing == name);
+    let lines = bill.buy.iter().filter(|line| line.kind != "extra" || is_thing(&line.role));
     let sums: Vec<String> = bill.prices_with_spares.iter().map(|(currency, least, most)| price(*least, *most, currency)).collect();
     let cost = if sums.is_empty() { unknown() } else { format!("{}, without what has no price", sums.join(" and ")) };
     [

@@ -48,7 +48,7 @@ impl Lettering {
         Shape { ascent, descent, low: [0.0, descent], high: [widest, ascent] }
     }
 
-    /// Lines no wider than a width, broken at spaces.
+    /// Lines no wider than a width, broken at spaces; a word that is wider is broken within.
     pub fn lines(&self, text: &str, size: f64, width: f64) -> Vec<String> {
         let mut lines: Vec<String> = Vec::new();
         for word in text.split_whitespace() {
@@ -57,10 +57,29 @@ impl Lettering {
                     line.push(' ');
                     line.push_str(word);
                 }
-                _ => lines.push(word.into()),
+                _ => lines.extend(self.pieces(word, size, width)),
             }
         }
         lines
+    }
+
+    /// A word in pieces no wider than a width, a letter at least; after a dash, a dot or an underscore where a piece has one.
+    fn pieces(&self, word: &str, size: f64, width: f64) -> Vec<String> {
+        let (mut pieces, mut rest) = (Vec::new(), word);
+        while self.width(rest, size) > width {
+            let ends = rest.char_indices().map(|(at, letter)| at + letter.len_utf8());
+            let fitting: Vec<usize> = ends.take_while(|end| self.width(&rest[..*end], size) <= width).collect();
+            let first = rest.chars().next().map_or(0, char::len_utf8);
+            let parted = fitting.iter().rev().find(|end| rest[..**end].ends_with(['-', '_', '.']));
+            let end = *parted.or(fitting.last()).unwrap_or(&first);
+            if end == rest.len() {
+                break;
+            }
+            pieces.push(rest[..end].to_string());
+            rest = &rest[end..];
+        }
+        pieces.push(rest.to_string());
+        pieces
     }
 
     /// Writes black words on a white ground into a picture of this width, their middle at a place, pixels.
@@ -113,6 +132,21 @@ mod tests {
         let lines = lettering.lines(text, 10.0, 120.0);
         assert!(lines.len() > 2 && lines.iter().all(|line| lettering.width(line, 10.0) <= 120.0), "{lines:?}");
         assert_eq!(lines.join(" "), text);
+    }
+
+    /// Names have no spaces, and up to 100 letters.
+    #[test]
+    fn analytic_a_word_wider_than_its_line_is_broken_and_loses_nothing() {
+        let lettering = Lettering::new().expect("the typeface reads");
+        let name = "a-rather-long-name_of-a-frame.v2".repeat(3);
+        for text in [name.as_str(), &"w".repeat(100)] {
+            let lines = lettering.lines(text, 20.0, 180.0);
+            assert!(lines.len() > 2 && lines.iter().all(|line| lettering.width(line, 20.0) <= 180.0), "{lines:?}");
+            assert_eq!(lines.concat(), text);
+        }
+        let lines = lettering.lines(&name, 20.0, 180.0);
+        assert!(lines[..lines.len() - 1].iter().all(|line| line.ends_with(['-', '_', '.'])), "{lines:?}");
+        assert_eq!(lettering.lines("wide", 20.0, 1.0), ["w", "i", "d", "e"]);
     }
 
     #[test]

@@ -2,6 +2,8 @@
 //!
 //! What comes from below is shown turned over, what comes from the rear or from the right turned around, so that the place it goes to is seen.
 
+use std::sync::Arc;
+
 use nalgebra::{Isometry3, Point3, Translation3, UnitQuaternion, Vector3};
 
 use super::arrow::Arrow;
@@ -10,9 +12,10 @@ use super::fold_scene::{ARROW_PLACES, COLOUR_WORDS, COLOURS, Picture, Shown, dra
 use super::image::corners;
 use super::propeller_scene;
 use crate::frame::assembly::wire::Wire;
-use crate::frame::assembly::wires::{lead_ends, wires};
+use crate::frame::assembly::wires::{lead_ends, leads_out, wires};
 use crate::frame::assembly::{Body, BodyKind, Design};
 use crate::frame::mounting::{Fixing, MountStep, PartLine};
+use crate::solid::{Feature, MeshSolid};
 
 /// Width and height, pixels.
 const SIZE: [u32; 2] = [960, 640];
@@ -81,8 +84,34 @@ pub fn part(design: &Design, line: &PartLine) -> Option<Picture> {
     Some(draw(&shown, &[], &camera, PART_SIZE))
 }
 
-/// The colours of the cables and wires in the picture of a step, in words; nothing where there are none.
+/// The step of a receiver that has no body.
+const RADIO: &str = "radio";
+/// Length, width and height that a receiver without a body is drawn with, mm: those of the catalogue's own.
+const RECEIVER_MM: [f64; 3] = [18.0, 12.0, 4.0];
+/// How far above its place it is drawn, mm.
+const RECEIVER_OFF_MM: f64 = 25.0;
+
+/// A receiver above its place in the middle of the hub's plate, and the arrow to that.
+fn receiver(design: &Design) -> (Shown, Arrow) {
+    let ([long, wide, high], base_mm) = (RECEIVER_MM, design.centre.plate_top_mm);
+    let body = Feature::cuboid_between([-0.5 * wide, -0.5 * long, base_mm], [0.5 * wide, 0.5 * long, base_mm + high]);
+    let at = |share: f64| Point3::new(0.0, 0.0, base_mm + RECEIVER_OFF_MM * (1.0 - share));
+    let place = |i: usize| at(ARROW[0] + (ARROW[1] - ARROW[0]) * i as f64 / ARROW_PLACES as f64);
+    let pose = Translation3::new(0.0, 0.0, RECEIVER_OFF_MM).into();
+    let shown = Shown { mesh: Arc::new(MeshSolid::build(&body).mesh()), pose, colour: COLOURS[0] };
+    (shown, Arrow { way: (0..=ARROW_PLACES).map(place).collect() })
+}
+
+/// What a caption says beside how the picture is held: the colours of the cables and wires, in words, and as what a thing without a body is drawn.
 pub fn key(design: &Design, step: &MountStep) -> String {
+    let [long, wide, high] = RECEIVER_MM;
+    let of_receiver =
+        if step.mount == RADIO { format!(" The receiver is drawn as one of {long} x {wide} x {high} mm.") } else { String::new() };
+    format!("{}{of_receiver}", colours(design, step))
+}
+
+/// The colours of the cables and wires in the picture of a step, in words; nothing where there are none.
+fn colours(design: &Design, step: &MountStep) -> String {
     let mut told: Vec<String> = Vec::new();
     for wire in laid(design, step, Vector3::zeros()) {
         let (name, word) = (wire.role.replace('_', " "), wire.colour_word);
@@ -104,7 +133,8 @@ fn laid(design: &Design, step: &MountStep, off: Vector3<f64>) -> Vec<Wire> {
             of("motor_wire").into_iter().map(shown).collect()
         }
         "bracket" => of("battery_wire"),
-        "bracket_alone" | "connector_in_bracket" => lead_ends(design, "connector_bracket"),
+        "bracket_alone" => leads_out(design),
+        "connector_in_bracket" => lead_ends(design, "connector_bracket"),
         "connector_in_lid" => lead_ends(design, "connector_lid"),
         _ => Vec::new(),
     };
@@ -151,6 +181,11 @@ pub fn mount(design: &Design, step: &MountStep) -> Picture {
             let place = |i: usize| ARROW[0] + (ARROW[1] - ARROW[0]) * i as f64 / ARROW_PLACES as f64;
             arrows.push((Arrow { way: (0..=ARROW_PLACES).map(|i| at(place(i))).collect() }, String::new()));
         }
+    }
+    if step.mount == RADIO {
+        let (shown, arrow) = receiver(design);
+        all.push(shown);
+        arrows.push((arrow, String::new()));
     }
     let turned = Isometry3::from_parts(Translation3::identity(), held);
     all.extend(laid(design, step, off).into_iter().map(|wire| Shown { mesh: wire.mesh().into(), pose: turned, colour: wire.colour }));

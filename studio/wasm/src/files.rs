@@ -41,7 +41,7 @@ fn of(open: &OpenFrame, which: Which) -> Result<Vec<File>, Refused> {
         }
         Which::FoldMotion => Ok(vec![File::new("fold.glb", fold_glb::fold(design, &sequence(open)?).map_err(Refused::plain)?)]),
         Which::Instructions => {
-            let booklet = Booklet::new(design, masses, &sequence(open)?);
+            let booklet = Booklet::new(design, masses, &sequence(open)?, &checks::check(design, masses));
             Ok(vec![File::new("instructions.pdf", booklet_pdf::pdf(&booklet).map_err(Refused::plain)?)])
         }
         Which::Report => {

@@ -1,4 +1,4 @@
-//! What a step is done with.
+//! What a step is done with, of the fold and of the mounts.
 
 /// A tool, or what is used up, that a step of the instructions names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -9,6 +9,10 @@ pub enum Tool {
     Screwdriver,
     /// A screwdriver, or hands where the part is pressed on.
     ScrewdriverOrHands,
+    /// What turns a screw below a motor, beside the leg.
+    ThinScrewdriver,
+    /// What pulls the fork through its window.
+    ThinPliers,
     /// A spanner for small nuts, or pliers.
     Spanner,
     /// Varnish that keeps a nut from turning.
@@ -39,6 +43,12 @@ pub enum Tool {
     Washers,
     /// A pen that marks plastic and metal.
     Pen,
+    /// What measures a rod.
+    Ruler,
+    /// Glue for a rod that is loose in its bore.
+    RodGlue,
+    /// What keeps a motor mount in its place on the arms.
+    MountGlue,
     /// A meter of voltage and resistance.
     Multimeter,
 }
@@ -50,6 +60,8 @@ impl Tool {
             Self::Hands => "hands",
             Self::Screwdriver => "screwdriver or hex key",
             Self::ScrewdriverOrHands => "screwdriver or hands",
+            Self::ThinScrewdriver => "thin screwdriver or hex key",
+            Self::ThinPliers => "thin pliers",
             Self::Spanner => "small spanner or pliers",
             Self::Varnish => "nail varnish",
             Self::SideCutter => "side cutter",
@@ -65,6 +77,9 @@ impl Tool {
             Self::TwoTies => "two of the ties",
             Self::Washers => "washers",
             Self::Pen => "pen for plastics",
+            Self::Ruler => "ruler or caliper",
+            Self::RodGlue => "cyanoacrylate for a loose rod",
+            Self::MountGlue => "cyanoacrylate or tape",
             Self::Multimeter => "multimeter",
         }
     }
@@ -73,7 +88,14 @@ impl Tool {
     pub fn lasting(self) -> Option<&'static str> {
         match self {
             Self::Screwdriver | Self::ScrewdriverOrHands => Some(Self::Screwdriver.words()),
-            Self::Spanner | Self::SideCutter | Self::SolderingIron | Self::Pen | Self::Multimeter => Some(self.words()),
+            Self::ThinScrewdriver
+            | Self::ThinPliers
+            | Self::Spanner
+            | Self::SideCutter
+            | Self::SolderingIron
+            | Self::Pen
+            | Self::Ruler
+            | Self::Multimeter => Some(self.words()),
             Self::Hands
             | Self::Varnish
             | Self::Solder
@@ -85,7 +107,15 @@ impl Tool {
             | Self::SmallTie
             | Self::OneTie
             | Self::TwoTies
-            | Self::Washers => None,
+            | Self::Washers
+            | Self::RodGlue
+            | Self::MountGlue => None,
         }
     }
+}
+
+/// Tools in a row, as a step names them; hands where it takes none.
+pub fn in_words(tools: &[Tool]) -> String {
+    let tools = if tools.is_empty() { &[Tool::Hands] } else { tools };
+    tools.iter().map(|tool| tool.words()).collect::<Vec<_>>().join(", ")
 }
