@@ -155,7 +155,8 @@ fn regress_violated_limits_are_on_the_first_page() {
 #[test]
 fn regress_steps_with_a_ring_or_glue_name_what_it_takes() {
     let (_, booklet) = designed("cognifly");
-    let rings: Vec<_> = booklet.pages.iter().filter(|page| page.measures.iter().any(|line| line.contains("draw it all round"))).collect();
+    let rings: Vec<_> =
+        booklet.pages.iter().filter(|page| page.measures.iter().any(|line| line.contains("mark the rod as the ring"))).collect();
     assert!(rings.len() > 5 && rings.iter().all(|page| page.facts.contains("ruler or caliper, pen for plastics")), "{}", rings.len());
     let glued = |caution: &String| caution.contains("cyanoacrylate") || caution.contains("Glue only a rod");
     let glued: Vec<_> = booklet.pages.iter().filter(|page| page.caution.as_ref().is_some_and(glued)).collect();

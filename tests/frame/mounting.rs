@@ -326,14 +326,21 @@ fn regress_the_receiver_is_seen_in_its_step() {
     assert!(panel.held.contains("The receiver is drawn as one of 18 x 12 x 4 mm."), "{}", panel.held);
 }
 
-/// A receiver among the extras is taken in hand where it is mounted, and not again with the motor wires.
+/// An extra is taken in hand in the step that names it first, and not again with the motor wires.
 #[test]
-fn planted_a_receiver_among_the_extras_is_mounted_once() {
-    let extra = "[extras.receiver]\nmass_g = 1.5\nmass_basis = \"datasheet\"\nsource = \"its maker\"\n";
-    let frame = common::resolve(&format!("base = \"cognifly\"\n{extra}")).expect("resolves");
+fn planted_an_extra_is_in_one_step() {
+    let extra = |name: &str, covers: &str| {
+        format!("[extras.{name}]\nmass_g = 1.5\nmass_basis = \"datasheet\"\nsource = \"its maker\"\ncovers = [{covers}]\n")
+    };
+    let extras = [extra("receiver", ""), extra("straps", "\"tie\"")].concat();
+    let frame = common::resolve(&format!("base = \"cognifly\"\n[bought]\ntie = \"none\"\n{extras}")).expect("resolves");
     let mounting = mounted(&Design::with(frame, common::memo()).expect("designs"));
-    let takes = |step: &&MountStep| step.parts.iter().any(|line| line.part == "receiver");
-    assert_eq!(mounting.steps().filter(takes).map(|step| step.mount).collect::<Vec<_>>(), ["radio"]);
+    let taken_in = |name: &str| {
+        let takes = |step: &&MountStep| step.parts.iter().any(|line| line.part == name);
+        mounting.steps().filter(takes).map(|step| step.mount).collect::<Vec<_>>()
+    };
+    // What stands for the ties is taken in hand where two of them would be.
+    assert_eq!([taken_in("receiver"), taken_in("straps")], [["radio"], ["computer"]]);
 }
 
 /// Wires of the bill are a supply of the step that speaks of them first.

@@ -137,19 +137,21 @@ pub fn lead_ends(design: &Design, connector: &str) -> Vec<Wire> {
     LEADS.into_iter().map(lead).collect()
 }
 
-/// Both leads of the half of the power connector in the bracket where no board is under the hub for them: out of the bay, one at each open side.
-/// Where they go on to is not known.
+/// Both leads of the half of the power connector in the bracket where no board is under the hub for them: out of the bay at one of its open sides,
+/// the second farther in. Where they go on to is not known.
 pub fn leads_out(design: &Design) -> Vec<Wire> {
     let axes = design.centre.battery_axes;
-    let Some([low, high]) = own_bounds_mm(design, "battery_bracket") else { return Vec::new() };
-    let beside = |x: f64| if x < 0.0 { low.x - LEAD_MM } else { high.x + LEAD_MM };
-    let led = |mut wire: Wire| {
-        let last = wire.way.last().map(|end| axes.box_of([end.coords.into(); 2])[0]);
-        wire.way.extend(last.map(|[x, y, z]| axes.point(Point3::new(beside(x), y, z))));
+    let Some([_, high]) = own_bounds_mm(design, "battery_bracket") else { return Vec::new() };
+    let led = |(at, mut wire): (usize, Wire)| {
+        let farther_mm = at as f64 * 2.0 * LEADS_APART * RADII_MM[1];
+        if let Some(end) = wire.way.pop() {
+            let [x, y, z] = axes.box_of([end.coords.into(); 2])[0];
+            wire.way.extend([x, high.x + LEAD_MM].map(|x| axes.point(Point3::new(x, y + farther_mm, z))));
+        }
         wire.begins = wire.way.len();
         wire
     };
-    lead_ends(design, "connector_bracket").into_iter().map(led).collect()
+    lead_ends(design, "connector_bracket").into_iter().enumerate().map(led).collect()
 }
 
 #[cfg(test)]
@@ -181,12 +183,12 @@ mod tests {
 
     /// What a caption names has to be seen: within the bay the leads are behind the bracket.
     #[test]
-    fn analytic_leads_without_a_board_leave_the_bay_at_both_sides() {
+    fn analytic_leads_without_a_board_leave_the_bay_side_by_side() {
         let design = Design::new(Frame::load("cognifly").expect("a preset").0).expect("designs");
-        let [low, high] = own_bounds_mm(&design, "battery_bracket").expect("has one");
+        let [_, high] = own_bounds_mm(&design, "battery_bracket").expect("has one");
         let leads = leads_out(&design);
-        let ends: Vec<f64> = leads.iter().filter_map(|lead| Some(lead.way.last()?.x)).collect();
-        assert!(ends.len() == 2 && ends[0] > high.x + 20.0 && ends[1] < low.x - 20.0, "{ends:?}");
+        let ends: Vec<Point3<f64>> = leads.iter().filter_map(|lead| lead.way.last().copied()).collect();
+        assert!(ends.len() == 2 && ends.iter().all(|end| end.x > high.x + 20.0) && ends[1].y - ends[0].y > 2.0 * RADII_MM[1], "{ends:?}");
         assert!(leads.iter().all(|lead| lead.begins == lead.way.len() && gate::pass(&lead.mesh()).is_ok()), "{leads:?}");
     }
 

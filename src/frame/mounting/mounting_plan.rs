@@ -343,11 +343,13 @@ impl<'a> Planning<'a> {
         let cables: Vec<&Wire> =
             self.cables.iter().filter(|cable| cable.joins.is_some_and(|ends| joined_end(&moves, &there, ends).is_some())).collect();
         let (repeats, from) = (mount.repeats(), mount.from_in(self.ways.battery_axes()));
+        let text = self.text(mount, &cables);
         MountStep {
             mount: mount.id,
             stage: mount.stage,
             title: mount.title,
-            text: self.text(mount, &cables),
+            parts: seen.of_mount(mount, &text),
+            text,
             tool: in_words(&mount.tools_in(self.frame)),
             caution: mount.caution,
             repeats,
@@ -360,7 +362,6 @@ impl<'a> Planning<'a> {
             taken_out: names(&self.taken_out(&done, mount)),
             from,
             travel_mm: from.map_or(0.0, |from| self.ways.travel_mm(&Vector3::from(from), &moving, &still)),
-            parts: seen.of_mount(mount),
             supplies: self.supplies(mount).chain(cables.iter().map(|cable| cable.role)).collect(),
             after,
             before,

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use serde::Serialize;
 
-use super::fragments::{extra_called, filled};
+use super::fragments::extra_called;
 use super::mount::{Fixing, Mount, RADIO, RECEIVER};
 use crate::frame::assembly::{Body, Design};
 use crate::frame::fold::{Member, Step};
@@ -77,10 +77,10 @@ impl<'a> PartsSeen<'a> {
         lines
     }
 
-    pub(super) fn of_mount(&mut self, mount: &Mount) -> Vec<PartLine> {
+    /// Of a mount, with what its text says of the design.
+    pub(super) fn of_mount(&mut self, mount: &Mount, text: &str) -> Vec<PartLine> {
         let mut lines = self.of(mount.brings.iter().copied().chain([mount.onto]).map(String::from));
         let frame = &self.design.frame;
-        let text = filled(mount.text, frame);
         let taken: Vec<&String> = frame
             .built_in_extras()
             .map(|(name, _)| name)

@@ -409,8 +409,8 @@ fn depths(step: &Step) -> Vec<String> {
     let line = |join: &Join| {
         join.depth_mm.map(|mm| {
             format!(
-                "The ring on the rod in the picture is a mark: draw it all round, {mm:.1} mm from the end that goes in, with a pen that shows on the \
-                 rod. It is at the mouth of the bore when the rod is at the bottom."
+                "Before, mark the rod as the ring in the picture shows: all round, {mm:.1} mm from the end that goes in, with a pen that shows on \
+                 it. The ring is at the mouth of the bore when the rod is at the bottom."
             )
         })
     };
