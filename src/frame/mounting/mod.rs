@@ -19,7 +19,7 @@ mod way;
 
 pub use camera_screws::CameraScrews;
 pub use carrier_screws::{CarrierScrew, CarrierScrews};
-pub use mount::{Fixing, Mount, Stage};
+pub use mount::{Fixing, Mount, RADIO, Stage};
 pub use mounting_plan::{MountStep, Mounting, Precedence, mounts_of};
 pub use mounts::MOUNTS;
 pub use part_lines::{PartLine, without_a_step};

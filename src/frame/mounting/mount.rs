@@ -125,7 +125,7 @@ pub(super) const BATTERY_REAR: &str = "{battery_rear}";
 /// The role of the ties of the bracket.
 pub(super) const TIE: &str = "tie";
 /// The step of a receiver that has no place of its own, and the extra that is such a receiver.
-pub(super) const RADIO: &str = "radio";
+pub const RADIO: &str = "radio";
 /// See [`RADIO`].
 pub(super) const RECEIVER: &str = "receiver";
 

@@ -14,7 +14,7 @@ use super::propeller_scene;
 use crate::frame::assembly::wire::Wire;
 use crate::frame::assembly::wires::{lead_ends, leads_out, wires};
 use crate::frame::assembly::{Body, BodyKind, Design};
-use crate::frame::mounting::{Fixing, MountStep, PartLine};
+use crate::frame::mounting::{Fixing, MountStep, PartLine, RADIO};
 use crate::solid::{Feature, MeshSolid};
 
 /// Width and height, pixels.
@@ -84,8 +84,6 @@ pub fn part(design: &Design, line: &PartLine) -> Option<Picture> {
     Some(draw(&shown, &[], &camera, PART_SIZE))
 }
 
-/// The step of a receiver that has no body.
-const RADIO: &str = "radio";
 /// Length, width and height that a receiver without a body is drawn with, mm: those of the catalogue's own.
 const RECEIVER_MM: [f64; 3] = [18.0, 12.0, 4.0];
 /// How far above its place it is drawn, mm.
