@@ -24,8 +24,8 @@ export CARGO_NET_RETRY=10 CARGO_HTTP_TIMEOUT=120 PIP_RETRIES=15 PIP_DEFAULT_TIME
 export npm_config_fetch_retries=6 npm_config_fetch_timeout=300000
 # What helps to build again hinders the first time.
 export CARGO_INCREMENTAL=0
-# Property tests draw other cases for each state of the project's files, and for one state the same ones wherever it is tested.
-export PROPTEST_RNG_SEED=${PROPTEST_RNG_SEED:-$((16#$(git rev-parse 'HEAD^{tree}' 2>/dev/null | cut -c1-12 || echo 1)))}
+# Property tests draw other cases for each state of the sources, and for one state the same ones wherever it is tested.
+export PROPTEST_RNG_SEED=${PROPTEST_RNG_SEED:-$((16#$(git rev-parse HEAD:src 2>/dev/null | cut -c1-12 || echo 1)))}
 
 mkdir -p "$work"
 rm -rf "$FLEXFRAME_CACHE" "$work/apt.updated"
