@@ -3,7 +3,7 @@
 use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
 
 use super::blame::Spot;
-use super::outcome::{CheckedFrame, Judged, Outcome, Refused, told_apart};
+use super::outcome::{CheckedFrame, Judged, Outcome, Refused};
 use super::policy::Standing;
 
 /// The report as XML.
@@ -19,6 +19,16 @@ pub fn xml(outcomes: &[Outcome]) -> Result<String, quick_junit::SerializeError> 
         });
     }
     report.to_string()
+}
+
+/// What each outcome is called where a reader joins by names: the frame's name, or what was asked for where another frame has the same.
+fn told_apart(outcomes: &[Outcome]) -> impl Iterator<Item = (&Outcome, &str)> {
+    let name = |outcome: &Outcome| outcome.result.as_ref().ok().map(|held| held.frame.clone());
+    outcomes.iter().map(move |outcome| {
+        let own = outcome.result.as_ref().map_or(outcome.asked.as_str(), |held| held.frame.as_str());
+        let alike = outcomes.iter().filter(|other| name(other).is_some_and(|other| other == own)).count();
+        (outcome, if alike > 1 { outcome.asked.as_str() } else { own })
+    })
 }
 
 fn suite(asked: &str, name: &str, held: &CheckedFrame) -> TestSuite {

@@ -168,13 +168,3 @@ impl Outcome {
         }
     }
 }
-
-/// What each outcome is called where a reader joins by names: the frame's name, or what was asked for where another frame has the same.
-pub fn told_apart(outcomes: &[Outcome]) -> impl Iterator<Item = (&Outcome, &str)> {
-    let name = |outcome: &Outcome| outcome.result.as_ref().ok().map(|held| held.frame.clone());
-    outcomes.iter().map(move |outcome| {
-        let own = outcome.result.as_ref().map_or(outcome.asked.as_str(), |held| held.frame.as_str());
-        let alike = outcomes.iter().filter(|other| name(other).is_some_and(|other| other == own)).count();
-        (outcome, if alike > 1 { outcome.asked.as_str() } else { own })
-    })
-}
