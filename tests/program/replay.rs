@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 
 use crate::readers::{READERS, Reader, prepared};
 
-/// Longest that one input may take, and all of them together: they take a thousandth, and a busy machine ten times as long.
+/// Longest that one input may take, and all of them together: both end what hangs, and measure nothing.
 const LONGEST: Duration = Duration::from_secs(30);
 const LONGEST_OF_ALL: Duration = Duration::from_secs(600);
 /// Most bytes of what is kept for a reader.
