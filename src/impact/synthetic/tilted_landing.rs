@@ -16,7 +16,9 @@ use crate::units::GRAVITY_M_S2;
 const STEP_S: f64 = 1e-5;
 /// From the centre of mass down to the feet, m.
 const BELOW_M: f64 = 0.05;
-/// What holds a foot at its place on the ground: stiffness, N/m, and damping, N s/m.
+/// What holds a foot at its place on the ground: stiffness, N/m, and damping, N s/m. A choice of this generator, no measurement: some thirty times
+/// as stiff as a leg of the published frame (7040 N/m on four), so that a foot that does not slip hardly moves, and a quarter of the critical
+/// damping of a quarter of its mass.
 const HOLD_N_M: f64 = 5e4;
 const HOLD_N_S_M: f64 = 25.0;
 /// Length of a spike, s.
