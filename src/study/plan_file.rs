@@ -68,11 +68,12 @@ pub fn load(path: &str, files: &dyn Files) -> Result<Study, LoadError> {
 fn of_frames(file: ImpactFile, folder: &Path, files: &dyn Files) -> Result<Study, LoadError> {
     only_known(&file, &KEYS, &TABLES)?;
     let named = text(&file, "base")?.unwrap_or_else(|| "cognifly".into());
-    let base_name = beside(folder, named);
+    // A preset's name is no path.
+    let base_name = if named.ends_with(".toml") { beside(folder, &named) } else { named };
     let base = FrameFile::load_from(&base_name, files)?;
     let frame = Frame::resolve(&base)?;
     let columns = columns(&file)?;
-    let mechanics_path = text(&file, "mechanics")?.map(|path| beside(folder, path));
+    let mechanics_path = text(&file, "mechanics")?.map(|path| beside(folder, &path));
     let asks_mechanics = columns.iter().any(Column::is_mechanics);
     if !asks_mechanics {
         none_of(&file, &["mechanics"], "measures that need no mechanics")?;
@@ -81,7 +82,7 @@ fn of_frames(file: ImpactFile, folder: &Path, files: &dyn Files) -> Result<Study
     let (axes, sampling, listed) = match text(&file, "table")? {
         Some(table) => {
             none_of(&file, &["sampling", "samples", "points", "seed"], "a table")?;
-            let listed = read(&beside(folder, table.clone()), files)?;
+            let listed = read(&beside(folder, &table), files)?;
             let (axes, rows) = samples(&file, &table, &listed, &base, &frame)?;
             (axes, Sampling::Table { rows: Arc::new(rows) }, listed)
         }
@@ -113,10 +114,9 @@ fn typed(entries: &BTreeMap<String, Entry>) -> String {
     stated.map(|(key, entry)| format!("{key} = {:?}", entry.value)).collect::<Vec<_>>().join("\n")
 }
 
-/// A file named in a plan: a path from the plan's folder; what is no file stays a name.
-fn beside(folder: &Path, name: String) -> String {
-    let is_file = [".toml", ".csv"].iter().any(|ending| name.ends_with(ending));
-    if is_file { folder.join(&name).display().to_string() } else { name }
+/// A file named in a plan: a path from the plan's folder.
+fn beside(folder: &Path, name: &str) -> String {
+    folder.join(name).display().to_string()
 }
 
 /// A table of samples.

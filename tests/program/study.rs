@@ -349,6 +349,22 @@ fn analytic_rows_follow_from_what_varies_and_sizes_may_be_columns() {
     assert_eq!((&out["known"], &out["refused"]), (&serde_json::json!(2), &serde_json::json!(0)), "{out}");
 }
 
+/// Whatever its name ends in, and where the program is started in a folder that has a table of the same name.
+#[test]
+fn planted_a_table_is_the_one_beside_its_plan() {
+    let desk = Desk::new("");
+    fs::create_dir(desk.path().join("sub")).expect("can be made");
+    for name in ["t.txt", "t.CSV", "t.csv"] {
+        let plan = format!("measures = [\"mass\"]\ntable = \"{name}\"\n");
+        for (path, text) in [("sub/p.toml", &*plan), (&format!("sub/{name}"), "arm_rod\n80\n81\n"), (name, "arm_rod\n70\n71\n72\n")] {
+            fs::write(desk.path().join(path), text).expect("can be written");
+        }
+        assert!(desk.good(&["plan", "sub/p.toml"]).starts_with("p: 2 rows"), "{name}");
+    }
+    let (code, _, err) = desk.run(&["block", "sub/p.toml", "--rows", "1-1", "--into", "d"]);
+    assert!(code == 2 && err.contains("give FIRST-END"), "{code} {err}");
+}
+
 #[test]
 fn planted_plans_that_cannot_be_are_refused_at_their_line() {
     let vary = "[vary]\narm_rod = [70, 80]\n";

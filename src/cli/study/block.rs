@@ -28,7 +28,10 @@ pub(super) struct Args {
 pub(super) fn run(args: &Args) -> Result<ExitCode, Failure> {
     let study = load(&args.plan)?;
     let (first, end) = rows(args)?;
-    if first >= end || end > study.rows() {
+    if first >= end {
+        return Err(Failure::Usage { message: format!("--rows {first}-{end}: give FIRST-END, with END behind the last row of the block") });
+    }
+    if end > study.rows() {
         return Err(Failure::Usage { message: format!("--rows {first}-{end}: the study has the rows 0 to {}", study.rows() - 1) });
     }
     let place = args.into.join(hq::file_of((first, end)));

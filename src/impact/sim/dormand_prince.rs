@@ -3,14 +3,13 @@
 //! J. R. Dormand, P. J. Prince, *A family of embedded Runge-Kutta formulae*, J. Comput. Appl. Math. 6 (1980); continuous
 //! extension and coefficients as in E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*, II.6.
 
-const A: [[f64; 6]; 6] = [
-    [1.0 / 5.0, 0.0, 0.0, 0.0, 0.0, 0.0],
-    [3.0 / 40.0, 9.0 / 40.0, 0.0, 0.0, 0.0, 0.0],
-    [44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0, 0.0, 0.0, 0.0],
-    [19372.0 / 6561.0, -25360.0 / 2187.0, 64448.0 / 6561.0, -212.0 / 729.0, 0.0, 0.0],
-    [9017.0 / 3168.0, -355.0 / 33.0, 46732.0 / 5247.0, 49.0 / 176.0, -5103.0 / 18656.0, 0.0],
-    [35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0],
-];
+const A1: [f64; 1] = [1.0 / 5.0];
+const A2: [f64; 2] = [3.0 / 40.0, 9.0 / 40.0];
+const A3: [f64; 3] = [44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0];
+const A4: [f64; 4] = [19372.0 / 6561.0, -25360.0 / 2187.0, 64448.0 / 6561.0, -212.0 / 729.0];
+const A5: [f64; 5] = [9017.0 / 3168.0, -355.0 / 33.0, 46732.0 / 5247.0, 49.0 / 176.0, -5103.0 / 18656.0];
+/// Of the first and of the third to the sixth stage; the second has none.
+const A6: [f64; 5] = [35.0 / 384.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0];
 
 /// Difference of the two formulae.
 const E: [f64; 7] = [71.0 / 57600.0, 0.0, -71.0 / 16695.0, 71.0 / 1920.0, -17253.0 / 339_200.0, 22.0 / 525.0, -1.0 / 40.0];
@@ -40,6 +39,20 @@ fn weighted<const N: usize>(weights: &[f64], rates: &[[f64; N]; 7]) -> [f64; N] 
     sum
 }
 
+/// A state a step further on, by the weighted sum of rates.
+#[inline(always)]
+fn moved<const N: usize, const STAGES: usize>(from: &[f64; N], h_s: f64, weights: &[f64; STAGES], rates: [&[f64; N]; STAGES]) -> [f64; N] {
+    let mut to = *from;
+    for i in 0..N {
+        let mut slope = 0.0;
+        for stage in 0..STAGES {
+            slope += weights[stage] * rates[stage][i];
+        }
+        to[i] += h_s * slope;
+    }
+    to
+}
+
 /// What moves: states have rates. No closure, as a closure that is not inlined has narrow registers.
 pub(super) trait Moving<const N: usize> {
     /// The rates of a state.
@@ -63,17 +76,15 @@ impl<const N: usize> Step<N> {
     /// Takes a step from a state with its rates.
     #[inline(always)]
     pub fn take(from: &[f64; N], rates_there: &[f64; N], h_s: f64, moving: &impl Moving<N>) -> Self {
-        let mut rates = [[0.0; N]; 7];
-        rates[0] = *rates_there;
-        let mut to = *from;
-        for (stage, row) in A.iter().enumerate() {
-            let slope = weighted(&row[..=stage], &rates);
-            for i in 0..N {
-                to[i] = from[i] + h_s * slope[i];
-            }
-            rates[stage + 1] = moving.rates(&to);
-        }
-        Self { h_s, from: *from, to, rates }
+        // One after the other, so that a compiler keeps rates in registers: a loop over the stages takes 1.1 to 1.3 times as long.
+        let k1 = *rates_there;
+        let k2 = moving.rates(&moved(from, h_s, &A1, [&k1]));
+        let k3 = moving.rates(&moved(from, h_s, &A2, [&k1, &k2]));
+        let k4 = moving.rates(&moved(from, h_s, &A3, [&k1, &k2, &k3]));
+        let k5 = moving.rates(&moved(from, h_s, &A4, [&k1, &k2, &k3, &k4]));
+        let k6 = moving.rates(&moved(from, h_s, &A5, [&k1, &k2, &k3, &k4, &k5]));
+        let to = moved(from, h_s, &A6, [&k1, &k3, &k4, &k5, &k6]);
+        Self { h_s, from: *from, to, rates: [k1, k2, k3, k4, k5, k6, moving.rates(&to)] }
     }
 
     /// Estimated error of each state.

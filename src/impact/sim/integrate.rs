@@ -98,33 +98,36 @@ impl<'a, const N: usize> Run<'a, N> {
     pub fn step(&mut self) -> Result<(Dense<N>, Phase), Stop> {
         let (t_s, phase) = (self.t_s, self.phase);
         let moving = Between { system: self.system, phase };
+        // Where a switch turns within the step: which, and the length up to there.
+        let mut cut = None;
         while self.tried < MOST_STEPS {
             let left_s = self.settings.duration_s - t_s;
             if left_s <= SHORTEST_S {
                 return Err(Stop::End);
             }
-            self.tried += 1;
-            let h_s = self.h_s.min(left_s).min(LONGEST_S);
-            let mut step = Step::take(&self.y, &self.rates, h_s, &moving);
-            let error = error(&step, self.system.core, self.settings.tolerance);
-            self.h_s = self.settings.fixed_step_s.unwrap_or_else(|| h_s * factor(error));
-            if self.settings.fixed_step_s.is_none() && error > 1.0 {
-                if h_s < SHORTEST_S {
-                    break;
+            let h_s = cut.map_or(self.h_s.min(left_s).min(LONGEST_S), |(_, h_s)| h_s);
+            let step = Step::take(&self.y, &self.rates, h_s, &moving);
+            let dense = step.dense(t_s);
+            if cut.is_none() {
+                self.tried += 1;
+                let error = error(&step, self.system.core, self.settings.tolerance);
+                self.h_s = self.settings.fixed_step_s.unwrap_or_else(|| h_s * factor(error));
+                if self.settings.fixed_step_s.is_none() && error > 1.0 {
+                    if h_s < SHORTEST_S {
+                        break;
+                    }
+                    continue;
                 }
-                continue;
-            }
-            let mut dense = step.dense(t_s);
-            let turned = self.switches.first(self.system, phase, &dense);
-            if let Some((_, theta)) = turned {
-                step = Step::take(&self.y, &self.rates, theta * h_s, &moving);
-                dense = step.dense(t_s);
+                if let Some((at, theta)) = self.switches.first(self.system, phase, &dense) {
+                    cut = Some((at, theta * h_s));
+                    continue;
+                }
             }
             if !(step.to[0].abs() < FAR_M && step.to[..self.system.core].iter().all(|state| state.is_finite())) {
                 return Err(Stop::Diverges { t_s });
             }
             (self.t_s, self.y, self.rates) = (t_s + step.h_s, step.to, *step.rates_at_end());
-            if let Some((at, _)) = turned {
+            if let Some((at, _)) = cut {
                 self.phase = self.switches.turn(at, phase);
                 self.rates = self.system.rates(self.phase, &self.y);
             }
