@@ -48,10 +48,14 @@ impl Measure {
         told_apart(self.value, self.limit, places)
     }
 
-    fn finding(self, subject: String, message: String, margin: f64) -> Finding {
+    fn finding(self, subject: String, mut message: String, margin: f64) -> Finding {
         let Self { rule, value, limit, unit, levers } = self;
         let mismeasured = if unit == "mm" { MEASURING_MM } else { 0.0 };
-        let margin = if (-mismeasured..0.0).contains(&margin) { 0.0 } else { margin };
+        let is_within = (-mismeasured..0.0).contains(&margin);
+        if is_within {
+            message += &format!(", missed by no more than the {MEASURING_MM} mm that it may be mismeasured by");
+        }
+        let margin = if is_within { 0.0 } else { margin };
         let verdict = if margin >= 0.0 { Verdict::Holds } else { Verdict::Violated };
         let levers = levers.iter().copied().map(Cow::Borrowed).collect();
         Finding { rule: rule.into(), subject, verdict, value, limit, margin, unit: unit.into(), message, levers }
@@ -70,7 +74,8 @@ mod tests {
     #[test]
     fn analytic_a_length_is_compared_as_far_as_it_can_be_measured() {
         assert_eq!((found(3.996).verdict, found(3.996).margin), (Verdict::Holds, 0.0));
-        assert_eq!(found(3.994).verdict, Verdict::Violated);
+        assert!(found(3.996).message.ends_with("0.005 mm that it may be mismeasured by") && found(4.0).message.is_empty());
+        assert_eq!((found(3.994).verdict, found(3.994).message.as_str()), (Verdict::Violated, ""));
         let grams = Measure { rule: TOY.id, value: 250.001, limit: 250.0, unit: "g", levers: &[] };
         assert_eq!(grams.figures(1), ["250.001", "250.000"]);
         assert_eq!(grams.at_most("all".into(), String::new()).verdict, Verdict::Violated);

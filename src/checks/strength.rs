@@ -60,10 +60,7 @@ pub fn strength(design: &Design, masses: &MassTable, limits: &DropLimits, found:
         findings.push(buckling.at_most(rod.rod.clone(), message));
     }
     findings.extend(strike(design, masses, found));
-    findings.extend(found.doubt.as_ref().map(|doubt| {
-        let unknown = Measure { rule: RULE.id, value: 1.0, limit: 0.0, unit: "", levers: MODULUS };
-        unknown.note(format!("modulus of {}", design.frame.flexible.name), doubt.clone())
-    }));
+    findings.extend(found.doubt.clone().map(|doubt| doubted(design, doubt)));
     findings
 }
 
@@ -74,9 +71,18 @@ pub fn strength(design: &Design, masses: &MassTable, limits: &DropLimits, found:
 pub fn design_drop(design: &Design, masses: &MassTable, settings: &MechanicsSettings) -> Result<Vec<Finding>, PredictionError> {
     match predict(design, masses, settings) {
         Ok(found) => Ok(strength(design, masses, &settings.limits, &found)),
-        Err(error) if error.gives_way() => Ok(vec![gives_way(&error.to_string())]),
+        Err(error) if error.gives_way() => {
+            let doubt = settings.doubt(&design.frame.flexible);
+            Ok([gives_way(&error.to_string())].into_iter().chain(doubt.map(|doubt| doubted(design, doubt))).collect())
+        }
         Err(error) => Err(error),
     }
+}
+
+/// What has to be said of the flexible material.
+fn doubted(design: &Design, doubt: String) -> Finding {
+    let unknown = Measure { rule: RULE.id, value: 1.0, limit: 0.0, unit: "", levers: MODULUS };
+    unknown.note(format!("modulus of {}", design.frame.flexible.name), doubt)
 }
 
 /// A design drop that cannot be followed.

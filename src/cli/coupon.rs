@@ -17,7 +17,7 @@ use crate::frame::fold;
 use crate::impact::measured::{FoldReading, read_folds};
 use crate::params::Frame;
 use crate::params::frame_file::Value;
-use crate::printing::coupon::{Coupon, FOLDS, FoldedHinge, Found, HINGE_KEY, HingeLimit, Hinges};
+use crate::printing::coupon::{Coupon, CouponPlates, FOLDS, FoldedHinge, Found, HINGE_KEY, HingeLimit, Hinges};
 use crate::printing::plates::PrintSettings;
 use crate::report::page::coupon_page::{self, FOLD_TABLE};
 
@@ -59,7 +59,7 @@ fn write(frame: &Frame, args: &Args, common: &Common) -> Result<ExitCode, Failur
             PrintSettings::of_part(false, material, &frame.printer).ini() + &PrintSettings::of_filament(material, &frame.printer).ini();
         files.push((format!("{}.ini", piece.name), settings.into_bytes()));
     }
-    let plates = coupon.plates(&frame.printer);
+    let CouponPlates { plates, no_room } = coupon.plates(&frame.printer);
     for (plate, name) in plates.iter().zip(coupon_page::plate_files(&plates)) {
         let bytes = coupon_page::plate(frame, plate);
         files.push((name.clone(), bytes.map_err(|error| Failure::Machine { what: format!("cannot make {name}"), error })?));
@@ -67,13 +67,21 @@ fn write(frame: &Frame, args: &Args, common: &Common) -> Result<ExitCode, Failur
     files.push((FOLD_TABLE.into(), coupon_page::fold_table(&coupon.hinges).into_bytes()));
     files.push(("coupon.png".into(), coupon_page::picture(&coupon)));
     let folder = format!("{}-coupon", frame.name);
-    files.push(("coupon.md".into(), coupon_page::markdown(frame, &coupon, &args.frame.frame).into_bytes()));
+    files.push(("coupon.md".into(), coupon_page::markdown(frame, &coupon, &no_room, &args.frame.frame).into_bytes()));
     let place = output::write_folder(&args.output, &folder, &files)?;
     if common.json {
         let names: Vec<String> = files.iter().map(|(name, _)| place.join(name).display().to_string()).collect();
-        terminal::print_json(&serde_json::json!({ "schema_version": 1, "folder": place.display().to_string(), "files": names }))?;
+        terminal::print_json(&serde_json::json!({
+            "schema_version": 1,
+            "folder": place.display().to_string(),
+            "files": names,
+            "no_room": no_room.iter().map(|piece| &piece.name).collect::<Vec<_>>(),
+        }))?;
     } else if !common.quiet {
         terminal::print(&format!("{}: {} pieces to print; coupon.md says what to look for\n", place.display(), coupon.pieces.len()))?;
+    }
+    if !no_room.is_empty() {
+        terminal::tell(&coupon_page::without_room(&no_room, &frame.printer));
     }
     Ok(ExitCode::SUCCESS)
 }

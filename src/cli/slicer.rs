@@ -14,7 +14,7 @@ use crate::export::stl;
 use crate::frame::assembly::{Design, Printed};
 use crate::params::PartName;
 use crate::params::catalogue::{Material, Printer};
-use crate::printing::filament::{FILAMENT_MM, FILAMENT_MM2};
+use crate::printing::filament::Filament;
 use crate::printing::plates::{PrintSettings, SlicerFamily};
 use crate::printing::weighing::Sliced;
 use crate::report::page::weighing_page::SLICER_RATIO;
@@ -88,7 +88,7 @@ impl Slicer {
             .stderr(Stdio::from(said))
             .spawn()?;
         ended(child, &log)?;
-        let volume_mm3 = filament_mm(&gcode)? * FILAMENT_MM2;
+        let volume_mm3 = Filament::of(&design.frame.printer).volume_mm3(filament_mm(&gcode)?);
         Ok(design.material_of(part.name).material.solid_g(volume_mm3))
     }
 }
@@ -120,9 +120,10 @@ fn ini(material: &Material, printer: &Printer) -> String {
     own.0.retain(|one| !one.keys(SlicerFamily::Prusa).iter().any(|key| ["brim_width", "elefant_foot_compensation"].contains(key)));
     let mut text = own.ini();
     text += &format!(
-        "brim_width = 0\nskirts = 0\nelefant_foot_compensation = 0\nnozzle_diameter = {}\nfilament_diameter = {FILAMENT_MM}\n\
+        "brim_width = 0\nskirts = 0\nelefant_foot_compensation = 0\nnozzle_diameter = {}\nfilament_diameter = {}\n\
          bed_shape = 0x0,{BED_MM}x0,{BED_MM}x{BED_MM},0x{BED_MM}\nmax_print_height = {BED_MM}\n",
-        printer.nozzle_mm
+        printer.nozzle_mm,
+        Filament::of(printer).diameter_mm
     );
     // A material without layers of its own has those of the printer's nozzle, as in every check.
     let layer_mm = printer.layer_mm(material);

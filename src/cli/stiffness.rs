@@ -21,7 +21,7 @@ use crate::mechanics::parts::parts_plan::part_models;
 use crate::mechanics::result::calibration::{Calibration, calibrate, rms_n};
 use crate::mechanics::result::deformed::Bound;
 use crate::mechanics::result::ratio::{Ratio, ratios};
-use crate::mechanics::result::static_curve::{DOWN_MM, INSIDE_MM, StaticCurve};
+use crate::mechanics::result::static_curve::{DOWN_MM, INSIDE_MM, MOST_DOWN_MM, StaticCurve};
 use crate::mechanics::settings::MechanicsSettings;
 use crate::mechanics::solve::modes::{Modes, REPORTED};
 use crate::report::chart::stiffness_plots;
@@ -69,9 +69,6 @@ pub(super) struct Args {
     #[arg(short, long, default_value = "out", value_name = "DIR")]
     pub output: PathBuf,
 }
-
-/// Farthest that the centre is pressed down, mm.
-const MOST_DOWN_MM: f64 = 60.0;
 
 /// A displacement within its bounds: 2 to 60 mm.
 fn down_mm(text: &str) -> Result<f64, String> {

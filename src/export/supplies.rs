@@ -11,7 +11,7 @@ use crate::frame::assembly::wires::wires as drawn_wires;
 use crate::frame::fold::Tool;
 use crate::frame::mounting::{CameraScrews, CarrierScrews, Fixing, Mount, mounts_of};
 use crate::params::frame::NamedMaterial;
-use crate::printing::filament::filament_m;
+use crate::printing::filament::Filament;
 
 /// What a wire is longer than its way: a share of the way, and a length, mm.
 const SLACK: (f64, f64) = (0.15, 30.0);
@@ -73,14 +73,15 @@ fn filaments(design: &Design) -> Vec<Supply> {
     if rigid.name != flexible.name {
         materials.push(rigid);
     }
+    let filament = Filament::of(&design.frame.printer);
     let line = |(at, material): (usize, &NamedMaterial)| {
         let of = design.printed.iter().filter(|part| design.material_of(part.name).name == material.name);
         let mm3: f64 = of.map(|part| part.volume_mm3 * f64::from(part.part.quantity())).sum();
-        let (mass_g, metres) = (material.material.printed_g(mm3), filament_m(material.material.printed_mm3(mm3)));
+        let (mass_g, metres) = (material.material.printed_g(mm3), filament.length_m(material.material.printed_mm3(mm3)));
         let role = ["filament_flexible", "filament_rigid"][at];
         Supply::one(
             role,
-            format!("filament 1.75 mm {}", material.name.replace('-', " ")),
+            format!("filament {} mm {}", filament.diameter_mm, material.name.replace('-', " ")),
             format!("{mass_g:.0} g or {metres:.0} m in the parts; skirt and support come on top"),
         )
     };

@@ -165,7 +165,10 @@ impl MechanicsSettings {
             *of(&mut settings) = file.stated(name, *bounds, unit)?;
         }
         settings.lies_in_its_band(file)?;
-        settings.socket_elements = settings.socket_elements.round();
+        if settings.socket_elements.fract() != 0.0 {
+            let message = format!("`mesh.socket_elements` = {} is no whole number", settings.socket_elements);
+            return Err(file.refuse("mesh.socket_elements", Reason::Impossible { message, remedy: "give a number of beams".into() }));
+        }
         settings.tensile_mpa = file.number(TENSILE.0, TENSILE.1, TENSILE.2)?;
         Ok(settings)
     }
@@ -340,9 +343,11 @@ mod tests {
         for wrong in [
             text.replace("poisson", "poison"),
             text.replace("friction = 0.3", "friction = 3.0"),
+            text.replace("socket_elements = 4.0", "socket_elements = 4.5"),
             text.replace("[ground]", "[sky]"),
             other_band(&text),
         ] {
+            assert_ne!(wrong, text);
             let file = ImpactFile::parse("planted", &wrong).expect("is TOML");
             assert!(MechanicsSettings::read(&file).is_err());
         }

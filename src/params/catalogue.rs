@@ -264,6 +264,8 @@ pub struct Printer {
     pub kept_clear_mm: Option<Vec<[f64; 4]>>,
     /// Nozzle diameter, mm.
     pub nozzle_mm: f64,
+    /// Thickness of the filament, mm; 1.75 without.
+    pub filament_mm: Option<f64>,
     /// Thinnest printable wall, in nozzles.
     pub min_wall_nozzles: f64,
     /// By how much less than drawn the diameter of a round hole comes out, mm: printed holes are drawn wider by it; none without.

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::LazyLock;
 
 use super::carried::is_carried;
-use super::catalogue::{BoughtPart, Material, Printer};
+use super::catalogue::{Bed, BoughtPart, Material, Printer};
 use super::figure::within_bounds;
 use super::frame::{BoughtItem, NamedMaterial};
 use super::frame_file::{FrameFile, Value};
@@ -224,6 +224,12 @@ impl Catalogues {
             let (found, expected, fits) = (words(&material.kind), words(kind), fitting(&self.materials, |m| is(m, kind)));
             return Err(file.refuse(key, Reason::WrongKind { key: key.into(), name, found, expected, fits }));
         }
+        if let (Some(least), Some(usual)) = (material.least_nozzle_c, material.nozzle_c)
+            && usual < least
+        {
+            let message = format!("`nozzle_c` = {usual} is less than `least_nozzle_c` = {least}, the least heat at which it prints, °C");
+            return Err(bad_override(file, key, "material", "materials", &name, &message));
+        }
         if !material.is_priced_whole() {
             return Err(bad_override(file, key, "material", "materials", &name, "its price lacks price_per_kg, currency or price_source"));
         }
@@ -236,7 +242,13 @@ impl Catalogues {
     /// When there is no such printer.
     pub fn printer(&self, file: &FrameFile) -> Result<Printer, Refusal> {
         let name = stated_text(file, "printer")?;
-        entry(&self.printers, file, "printer", "printer", "printers", &name)
+        let printer: Printer = entry(&self.printers, file, "printer", "printer", "printers", &name)?;
+        let [x, y] = printer.size_mm;
+        if printer.bed == Bed::Round && x != y {
+            let message = format!("`size_mm` = [{x}, {y}]: a round bed has one diameter, which is stated twice, mm");
+            return Err(bad_override(file, "printer", "printer", "printers", &name, &message));
+        }
+        Ok(printer)
     }
 }
 

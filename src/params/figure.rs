@@ -82,11 +82,12 @@ impl BoughtPart {
 
 impl Printer {
     /// Its figures. A hole that is off by more than a millimetre is no matter of compensation.
-    pub const FIGURES: [Figure; 12] = [
+    pub const FIGURES: [Figure; 13] = [
         figure("size_mm", [20.0, 2000.0], "mm"),
         figure("height_mm", [10.0, 2000.0], "mm"),
         figure("kept_clear_mm", [-1000.0, 2000.0], "mm"),
         figure("nozzle_mm", [0.1, 2.0], "mm"),
+        figure("filament_mm", [1.0, 4.0], "mm"),
         figure("min_wall_nozzles", [0.5, 10.0], ""),
         figure("hole_undersize_mm", [0.0, 1.0], "mm"),
         figure("elephant_foot_mm", [0.0, 1.0], "mm"),

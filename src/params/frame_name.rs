@@ -15,7 +15,7 @@ pub fn fault(name: &str) -> Option<String> {
 
 /// What a name has to be.
 pub fn rule() -> String {
-    format!("use letters, digits, '-', '_' and '.' only, at most {LONGEST} of them, and do not begin with '.'")
+    format!("use letters from a to z and A to Z, digits, '-', '_' and '.' only, at most {LONGEST} of them, and do not begin with '.'")
 }
 
 #[cfg(test)]

@@ -417,6 +417,17 @@ mod tests {
     }
 
     #[test]
+    fn planted_figures_of_a_material_and_of_a_printer_that_do_not_go_together() {
+        let cold = resolved("[override.materials.abs]\nnozzle_c = 200").expect_err("is colder than it prints at");
+        assert!(cold.reason.to_string().contains("`nozzle_c` = 200 is less than `least_nozzle_c` = 240"), "{}", cold.reason);
+        assert!(resolved("[override.materials.abs]\nnozzle_c = 240").is_ok());
+        let on = |size_mm: &str| resolved(&format!("printer = \"flsun-qqs-pro\"\n[override.printers.flsun-qqs-pro]\nsize_mm = {size_mm}"));
+        let oval = on("[260, 200]").expect_err("is no circle");
+        assert!(oval.reason.to_string().contains("a round bed has one diameter"), "{}", oval.reason);
+        assert!(on("[240, 240]").is_ok());
+    }
+
+    #[test]
     fn planted_a_motor_whose_shaft_ends_in_its_base_needs_no_hole() {
         let frame = resolved("[override.parts.motor-1104]\nshaft_hole_diameter_mm = 0").expect("is allowed");
         assert_eq!(frame.motor_mount.motor_shaft_hole_mm, 0.0);

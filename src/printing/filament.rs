@@ -1,13 +1,32 @@
-//! The filament that a volume is printed from: 1.75 mm thick.
+//! The filament that a volume is printed from.
 
 use std::f64::consts::FRAC_PI_4;
 
-/// Diameter, mm.
-pub const FILAMENT_MM: f64 = 1.75;
-/// Section, mm².
-pub const FILAMENT_MM2: f64 = FRAC_PI_4 * FILAMENT_MM * FILAMENT_MM;
+use crate::params::catalogue::Printer;
 
-/// Length that has a volume, m.
-pub fn filament_m(volume_mm3: f64) -> f64 {
-    1e-3 * volume_mm3 / FILAMENT_MM2
+/// Diameter where a printer does not say its own, mm: what most take.
+const USUAL_MM: f64 = 1.75;
+
+/// What a printer takes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Filament {
+    /// Diameter, mm.
+    pub diameter_mm: f64,
+}
+
+impl Filament {
+    /// That of a printer.
+    pub fn of(printer: &Printer) -> Self {
+        Self { diameter_mm: printer.filament_mm.unwrap_or(USUAL_MM) }
+    }
+
+    /// Volume of a length, mm³.
+    pub fn volume_mm3(self, length_mm: f64) -> f64 {
+        FRAC_PI_4 * self.diameter_mm * self.diameter_mm * length_mm
+    }
+
+    /// Length that has a volume, m.
+    pub fn length_m(self, volume_mm3: f64) -> f64 {
+        1e-3 * volume_mm3 / self.volume_mm3(1.0)
+    }
 }

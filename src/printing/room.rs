@@ -3,7 +3,7 @@
 use crate::frame::assembly::Printed;
 use crate::params::catalogue::{Bed, Printer};
 
-/// Least kept free at the bed's edge, mm: clips, and a bed that is not quite where the firmware believes.
+/// Kept free at the bed's edge beside the brim, mm: clips, and a bed that is not quite where the firmware believes.
 const EDGE_MM: f64 = 3.0;
 /// Least kept free between parts, mm: half of it is taken by each part's brim, and the nozzle passes without touching.
 const GAP_MM: f64 = 8.0;
@@ -23,7 +23,7 @@ impl Room {
     /// The whole of a rectangular bed, of a round one the square that stands in it, with room for brims of this width at the edge and
     /// between the parts.
     pub fn of(printer: &Printer, brim_mm: f64) -> Self {
-        let (edge_mm, gap_mm) = (EDGE_MM.max(brim_mm), GAP_MM.max(2.0 * brim_mm));
+        let (edge_mm, gap_mm) = (EDGE_MM + brim_mm, GAP_MM.max(2.0 * brim_mm));
         match printer.bed {
             Bed::Rectangular => {
                 Self { low_mm: [edge_mm; 2], size_mm: printer.size_mm.map(|size| (size - 2.0 * edge_mm).max(0.0)), gap_mm, edge_mm }

@@ -14,7 +14,7 @@ use crate::frame::assembly::mass::MassTable;
 use crate::frame::assembly::{Design, DesignError, mass};
 use crate::params::PartName;
 use crate::printing::plates;
-use crate::printing::plates::Plate;
+use crate::printing::plates::{Plate, Wanted};
 use crate::solid::gate::GateError;
 
 /// Which of the files that may be left out are made.
@@ -92,7 +92,7 @@ pub fn followed(
         files.extend((format.files)(&of)?);
     }
     if !plates.is_empty() {
-        files.push(settings_page(design, &plates));
+        files.push(settings_page(design, &plates, &plates::all(design)));
     }
     if choice.pictures {
         let bare: Vec<Plate> = plates.iter().map(|(plate, _)| plate.clone()).collect();
@@ -129,14 +129,15 @@ pub fn plate_files(design: &Design, plates: Vec<Plate>) -> Result<Vec<File>, Fol
     let bill = bill(design, &masses, None);
     let of = Exported { design, masses: &masses, bill: &bill, meshes: &meshes, plates: &plates };
     let mut files = (three_mf::FORMAT.files)(&of)?;
-    files.push(settings_page(design, &plates));
+    files.push(settings_page(design, &plates, &[]));
     Ok(files)
 }
 
-/// How to print the plates, as a page.
-fn settings_page(design: &Design, plates: &[(Plate, Vec<u8>)]) -> File {
+/// How to print the plates, as a page that names what of the wanted parts lies on none.
+fn settings_page(design: &Design, plates: &[(Plate, Vec<u8>)], wanted: &[Wanted]) -> File {
     let plates: Vec<Plate> = plates.iter().map(|(plate, _)| plate.clone()).collect();
-    File::new("print-settings.md", print_settings::markdown(design, &plates).into_bytes())
+    let no_room = plates::without_room(&plates, wanted);
+    File::new("print-settings.md", print_settings::markdown(design, &plates, &no_room).into_bytes())
 }
 
 /// Pixels of a plate's picture.

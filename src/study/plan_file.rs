@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::axis::{Axis, twice};
+use super::axis::Axis;
 use super::column::Column;
 use super::frame_key::{can_vary, refused_name};
 use super::plan::{Frames, Study, Subject};
@@ -70,7 +70,8 @@ fn of_frames(file: ImpactFile, folder: &Path, files: &dyn Files) -> Result<Study
     let named = text(&file, "base")?.unwrap_or_else(|| "cognifly".into());
     // A preset's name is no path.
     let base_name = if named.ends_with(".toml") { beside(folder, &named) } else { named };
-    let base = FrameFile::load_from(&base_name, files)?;
+    let base = FrameFile::load_from(&base_name, files)
+        .map_err(|error| at_its_key(&file, "base", error, "name a preset (`flexframe list presets`), or a frame file beside the plan"))?;
     let frame = Frame::resolve(&base)?;
     let columns = columns(&file)?;
     let mechanics_path = text(&file, "mechanics")?.map(|path| beside(folder, &path));
@@ -78,11 +79,15 @@ fn of_frames(file: ImpactFile, folder: &Path, files: &dyn Files) -> Result<Study
     if !asks_mechanics {
         none_of(&file, &["mechanics"], "measures that need no mechanics")?;
     }
-    let mechanics = asks_mechanics.then(|| MechanicsSettings::load_from(mechanics_path.as_deref(), files)).transpose()?;
+    let mechanics = asks_mechanics
+        .then(|| MechanicsSettings::load_from(mechanics_path.as_deref(), files))
+        .transpose()
+        .map_err(|error| at_its_key(&file, "mechanics", error, "name a TOML file beside the plan, or leave the key out"))?;
     let (axes, sampling, listed) = match text(&file, "table")? {
         Some(table) => {
             none_of(&file, &["sampling", "samples", "points", "seed"], "a table")?;
-            let listed = read(&beside(folder, &table), files)?;
+            let listed = read(&beside(folder, &table), files)
+                .map_err(|error| at_its_key(&file, "table", error, "name a CSV file of samples beside the plan"))?;
             let (axes, rows) = samples(&file, &table, &listed, &base, &frame)?;
             (axes, Sampling::Table { rows: Arc::new(rows) }, listed)
         }
@@ -119,6 +124,16 @@ fn beside(folder: &Path, name: &str) -> String {
     folder.join(name).display().to_string()
 }
 
+/// Why a file that the plan names could not be read, at the key that names it. What the file itself says is refused in the file, and a machine that fails
+/// is no fault of the plan.
+fn at_its_key(plan: &ImpactFile, key: &str, error: LoadError, remedy: &str) -> LoadError {
+    match error {
+        LoadError::Refused(_) => error,
+        other if other.is_of_machine() => other,
+        other => plan.refuse(key, impossible(other.to_string(), remedy.into())).into(),
+    }
+}
+
 /// A table of samples.
 fn read(path: &str, files: &dyn Files) -> Result<String, LoadError> {
     let path = PathBuf::from(path);
@@ -150,17 +165,20 @@ fn columns(file: &ImpactFile) -> Result<Vec<Column>, Refusal> {
 /// What varies: `vary.KEY = [LEAST, MOST]`, then `choose.KEY = ["NAME", …]`.
 fn axes(file: &ImpactFile, base: &FrameFile, frame: &Frame) -> Result<Vec<Axis>, Refusal> {
     let (mut axes, mut names): (Vec<Axis>, usize) = (Vec::new(), 0);
-    for key in file.entries.keys().filter(|key| key.starts_with("vary.")) {
-        axes.push(number_axis(file, key, frame)?);
+    let mut ranges: Vec<(&String, &Entry)> = file.entries.iter().filter(|(key, _)| key.starts_with("vary.")).collect();
+    ranges.sort_by_key(|(_, entry)| entry.place.span.start);
+    for (key, _) in ranges {
+        let axis = number_axis(file, key, frame)?;
+        if axes.iter().any(|known| known.key() == axis.key()) {
+            let message = format!("`{}` varies twice in the study on {}", axis.key(), frame.name);
+            return Err(file.refuse(key, impossible(message, "state each key once, by its whole name or by its short one".into())));
+        }
+        axes.push(axis);
     }
     // However keys are written: the same plan has the same rows.
     axes.sort_by_cached_key(|axis| parameters().position(|parameter| axis.key() == format!("{}.{}", parameter.table, parameter.key)));
     for key in file.entries.keys().filter(|key| key.starts_with("choose.")) {
         axes.push(name_axis(file, key, base, &mut names)?);
-    }
-    if let Some(axis) = twice(&axes) {
-        let message = format!("`{}` varies twice in the study on {}", axis.key(), frame.name);
-        return Err(file.refuse("vary", impossible(message, "state each key once".into())));
     }
     if axes.is_empty() {
         let remedy = "state ranges, such as vary.arm_rod = [70, 90], names, such as choose.bought.battery = [\"…\", \"…\"], or a table";

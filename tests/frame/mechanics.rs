@@ -67,6 +67,33 @@ fn analytic_a_scattered_and_a_short_test_are_calibrated() {
     assert!((calibrated(&short).settings.young_mpa / settings.young_mpa - 1.0).abs() < 1e-2);
 }
 
+/// The arms of this frame are at the lower ring some way before 70 mm.
+#[test]
+fn planted_rows_beyond_the_lower_ring_calibrate_nothing() {
+    let design = design(|_| ());
+    let settings = settings();
+    let parts = part_models(&design, &settings).expect("parts are cut");
+    let points = [[2.0, 10.0], [5.0, 30.0], [70.0, 400.0]];
+    let refused = calibrate(&design, &parts, &mass::table(&design), &settings, &points).expect_err("has a row beyond").to_string();
+    assert!(refused.contains("the test goes to 70 mm and the model to") && refused.contains("leave out the rows beyond"), "{refused}");
+}
+
+/// Links are stiffer beside stiff joints, and what rounding leaves of forces is larger.
+#[test]
+fn planted_joints_of_a_stiff_material_are_pressed() {
+    let design = design(|_| ());
+    let soft = settings();
+    for more in [40.0, 400.0] {
+        let stiff = MechanicsSettings {
+            young_mpa: more * soft.young_mpa,
+            young_band_mpa: soft.young_band_mpa.map(|mpa| more * mpa),
+            ..soft.clone()
+        };
+        let [force, usual] = [&stiff, &soft].map(|settings| curve(&design, settings, Extent::Quarter, 2.0).force_n(1.0).expect("reached"));
+        assert!(force > 3.0 * usual, "{more} times the modulus: {force} N where it was {usual} N");
+    }
+}
+
 /// Ratios that another model of the same frame gave over the spread of its guesses: 5 to 95 % of the 8 mm secant's ratio.
 #[test]
 fn measured_ratios_between_variants_hold_over_two_models() {

@@ -389,6 +389,8 @@ fn planted_plans_that_cannot_be_are_refused_at_their_line() {
         ("samples = 3\n".into(), "nothing varies"),
         ("table = \"t.csv\"\n".into(), "cannot read"),
         (format!("base = \"no-such\"\n{vary}"), "no frame `no-such`"),
+        (format!("base = \"missing.toml\"\n{vary}"), "cannot read missing.toml"),
+        (format!("measures = [\"stiffness\"]\nmechanics = \"none.toml\"\n{vary}"), "cannot read none.toml"),
         (format!("sampling = \"grid\"\nseed = 9\n{vary}"), "`seed` does nothing with sampling = \"grid\""),
         (format!("measures = [\"mass\"]\nmechanics = \"none.toml\"\n{vary}"), "`mechanics` does nothing with measures"),
         ("[choose]\nbought.battery = [\"battery-2s-850\", \"battery-2s-850\"]\n".into(), "has battery-2s-850 twice"),
@@ -402,6 +404,7 @@ fn planted_plans_that_cannot_be_are_refused_at_their_line() {
         fs::write(desk.path().join("s.toml"), plan).expect("can be written");
         let (code, _, err) = desk.run(&["run", "s.toml"]);
         assert!(code == 2 && err.contains(word), "{plan}: {code} {err}");
+        assert!(err.contains("s.toml:") || *word == "unknown key `arm_rood`", "{plan}: its line is not told: {err}");
         assert!(!desk.path().join("out").exists(), "a plan that is refused writes nothing");
     }
     fs::write(desk.path().join("t.csv"), "arm_rod,bought.rod\n78,rod-carbon-3\nx,rod-carbon-3\n").expect("can be written");

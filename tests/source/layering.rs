@@ -43,7 +43,7 @@ const LAYERS: [(&str, &[&str]); 41] = [
     ("frame/mounting", &["params", "solid", "frame/skeleton", "frame/parts", "frame/assembly", "frame/fold"]),
     ("printing/printability", &["units", "params", "solid", "frame/assembly"]),
     ("printing/print_time", &["params", "solid", "frame/assembly"]),
-    ("printing/filament", &[]),
+    ("printing/filament", &["params"]),
     ("printing/heat", &["params", "frame/assembly"]),
     ("printing/room", &["params", "frame/assembly"]),
     ("printing/plates", &["params", "frame/assembly", "printing/printability", "printing/print_time", "printing/room"]),

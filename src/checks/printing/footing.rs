@@ -1,7 +1,7 @@
 //! Each part stands while it is printed: enough of it lies on the bed, its weight is over that, and it is not too slender.
 //!
 //! What stands under a supported place stands with the part. The brim of its material counts where it keeps a part from tipping over, and not as
-//! contact. The first layer is that of the design, without what a printer's `elephant_foot_mm` takes off. What of it is narrower than half of a line is not counted, as a slicer leaves it out.
+//! contact. The first layer is that of the design: of its walls a printer's `elephant_foot_mm` leaves a line in the file. What of it is narrower than half of a line is not counted, as a slicer leaves it out.
 
 use crate::checks::finding::Finding;
 use crate::checks::measure::Measure;

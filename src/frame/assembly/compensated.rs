@@ -3,7 +3,7 @@
 //! The nominal part is what the frame is made of: its mass, its checks and its place in the assembly are those. Only the
 //! files that are printed differ: round bores are drawn wider by the profile's `hole_undersize_mm`, whichever way
 //! they lie, and what lies in the first layer is drawn in by its `elephant_foot_mm`, from outer outlines and from
-//! holes alike. Without either the mesh is the part's own.
+//! holes alike; a wall of which less than a line would be left, down to a line. Without either the mesh is the part's own.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -75,20 +75,23 @@ pub fn mesh<'a>(part: &'a Printed, printer: &Printer, layer_mm: f64) -> Result<C
         let feature = part.feature.with_wider_bores(0.5 * hole_mm);
         laid(&MeshSolid::build(&feature).simplified(), &part.print_pose.rotation)?.0
     };
-    drawn_in_below(&solid, foot_mm, layer_mm).map(Cow::Owned)
+    drawn_in_below(&solid, printer, layer_mm).map(Cow::Owned)
 }
 
-/// The mesh of a solid that stands on z = 0, its first layer of this height drawn in by so much, mm; as it is where that is 0.
+/// The mesh of a solid that stands on z = 0, its first layer of this height drawn in as the printer needs it; as it is where that is by
+/// nothing.
 ///
 /// # Errors
 /// When it does not pass the export gate.
-pub fn drawn_in_below(solid: &MeshSolid, foot_mm: f64, layer_mm: f64) -> Result<Mesh, GateError> {
+pub fn drawn_in_below(solid: &MeshSolid, printer: &Printer, layer_mm: f64) -> Result<Mesh, GateError> {
+    let foot_mm = printer.elephant_foot_mm.unwrap_or(0.0);
     if foot_mm == 0.0 {
         return sound(solid);
     }
+    let outline = narrowed(&solid.slice(0.5 * layer_mm), foot_mm, printer.line_mm());
     let mut refused = GateError::Empty;
     for [fine_mm, moved_mm] in CUTS_MM {
-        match sound(&drawn_in(solid, foot_mm, layer_mm + moved_mm, fine_mm)) {
+        match sound(&cut_below(solid, &outline.simplified(fine_mm), layer_mm + moved_mm)) {
             Ok(mesh) => return Ok(mesh),
             Err(error) => refused = error,
         }
@@ -112,10 +115,32 @@ fn sound(solid: &MeshSolid) -> Result<Mesh, GateError> {
     })
 }
 
-/// The solid whose first layer has its outline drawn in; what is finer than `fine_mm` is left out of the outline.
-fn drawn_in(solid: &MeshSolid, by_mm: f64, layer_mm: f64, fine_mm: f64) -> MeshSolid {
+/// The solid of whose first layer this outline is left.
+fn cut_below(solid: &MeshSolid, outline: &Region, layer_mm: f64) -> MeshSolid {
     let [low, high] = solid.bounds_mm();
     let around = Region::rectangle([[low[0], low[1]], [high[0], high[1]]], PAST_MM);
-    let kept = solid.slice(0.5 * layer_mm).grown(-by_mm).simplified(fine_mm);
-    solid.minus(&around.minus(&kept).drawn_up(-PAST_MM, layer_mm))
+    solid.minus(&around.minus(outline).drawn_up(-PAST_MM, layer_mm))
+}
+
+/// Shares of the whole by which walls are drawn in that would have less than a line left otherwise, the largest first.
+const SHARES: [f64; 4] = [0.75, 0.5, 0.25, 0.0];
+
+/// An outline drawn in by so much. Of a wall at least a line is left, where it is as wide as that: a slicer lays nothing of what is narrower than half of a
+/// line, and leaves the walls above without what they stand on.
+fn narrowed(outline: &Region, by_mm: f64, line_mm: f64) -> Region {
+    let opened = |figure: &Region, width_mm: f64| figure.grown(-0.5 * width_mm).grown(0.5 * width_mm);
+    let mut too_much_mm = by_mm;
+    let mut left = outline.grown(-by_mm);
+    for share in SHARES {
+        // What is no wall but the corner of something wide is smaller than half of a line.
+        let walls = opened(&outline.minus(&opened(outline, line_mm + 2.0 * too_much_mm)), 0.5 * line_mm);
+        if walls.is_empty() {
+            break;
+        }
+        too_much_mm = share * by_mm;
+        // As far as into what they end in, which is drawn in by more.
+        let reaching = walls.grown(by_mm + 0.5 * line_mm);
+        left = left.union(&outline.grown(-too_much_mm).intersection(&reaching));
+    }
+    left
 }

@@ -111,6 +111,14 @@ pub enum Fault {
         /// What stands there.
         value: String,
     },
+    /// A number of things that has a fraction.
+    #[error("`{column}` is `{}`, no whole number", written(*.value))]
+    NotWhole {
+        /// Column.
+        column: &'static str,
+        /// What stands there.
+        value: f64,
+    },
     /// Neither a number of folds nor the word for none that cracked.
     #[error("`folds` is `{value}`, neither a number from 1 to {most} nor `held`")]
     NoFolds {
@@ -227,6 +235,7 @@ impl Fault {
             Self::TwoColumns { .. } => "leave one of them".into(),
             Self::Fields { .. } => "give each row as many values as there are columns; is the file cut short?".into(),
             Self::NoNumber { column: "mass_g" | "quantity", .. } => "give a number with a decimal point, a mass in grams and a whole quantity".into(),
+            Self::NotWhole { .. } => "give the number of parts that lay on the scale together".into(),
             Self::NoNumber { column: "t_s" | "accel_g" | "x" | "y" | "z", .. } => {
                 "give a finite number with a decimal point; leave a drop that lost a reading out as a whole".into()
             }

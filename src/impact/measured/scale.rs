@@ -60,7 +60,7 @@ fn reading(row: &csv::ByteRecord, line: u64, part: usize, mass: usize, quantity:
         None => 1.0,
     };
     if quantity.fract() != 0.0 {
-        return Err(Fault::NoNumber { column: QUANTITY, value: format!("{quantity}, which is not whole") });
+        return Err(Fault::NotWhole { column: QUANTITY, value: quantity });
     }
     let part = String::from_utf8_lossy(row.get(part).unwrap_or_default().trim_ascii()).into_owned();
     Ok(ScaleReading { line, part, quantity: quantity as u32, mass_g, resolution_g: last_digit(row.get(mass).unwrap_or_default()) })
@@ -77,6 +77,12 @@ fn last_digit(field: &[u8]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn planted_half_a_part_is_refused_with_its_number() {
+        let refused = scale_readings("scale.csv", b"part,mass_g,quantity\nhub,12.3,1.5\n").expect_err("is no number of parts").to_string();
+        assert!(refused.contains("`quantity` is `1.5`, no whole number") && refused.contains("line 2"), "{refused}");
+    }
 
     #[test]
     fn analytic_readings_as_a_person_writes_them() {

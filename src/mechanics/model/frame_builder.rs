@@ -88,7 +88,12 @@ impl<'a> Builder<'a> {
         self.structure.beams.push(beam);
         self.structure.viscous.push(viscous);
         let bending = rigidity.bending_n_mm2;
-        self.tags.push(Tag { zone, reach_mm: section.reach_mm, rigidity: [rigidity.axial_n, bending[0], bending[1]] });
+        self.tags.push(Tag { zone, reach_mm: section.reach_mm, rigidity: [rigidity.axial_n, bending[0], bending[1]], flexible: viscous });
+    }
+
+    /// How much stiffer links have to be than [`LINK`].
+    fn link_factor(&self) -> f64 {
+        (LINK_OVER_JOINTS * self.settings.young_mpa / LINK.0.young_mpa).max(1.0)
     }
 
     fn link(&mut self, nodes: [usize; 2]) {
@@ -97,7 +102,7 @@ impl<'a> Builder<'a> {
         let aside = if x.z.abs() < 0.9 { Vector3::z() } else { Vector3::x() };
         let z = x.cross(&aside).normalize();
         let section = Section::disc(LINK.1, Vector3::zeros(), Matrix3::from_columns(&[x, z.cross(&x), z]));
-        let more = (LINK_OVER_JOINTS * self.settings.young_mpa / LINK.0.young_mpa).max(1.0);
+        let more = self.link_factor();
         let material = Elastic { young_mpa: LINK.0.young_mpa * more, shear_mpa: LINK.0.shear_mpa * more };
         self.beam(nodes, &section, &material, LINKS, false, 0.0);
     }
@@ -106,7 +111,7 @@ impl<'a> Builder<'a> {
     fn tie(&mut self, nodes: [usize; 2], place: Vector3<f64>, stiffness: [f64; 2], zone: &'static str) {
         let arms = nodes.map(|node| place - self.structure.nodes[node].place);
         let bushing = Bushing { nodes, arms, stiffness_n_mm: stiffness[0], turning_n_mm: stiffness[1] };
-        self.ties.push((bushing, Tag { zone, reach_mm: [0.0; 2], rigidity: [0.0; 3] }, true));
+        self.ties.push((bushing, Tag { zone, reach_mm: [0.0; 2], rigidity: [0.0; 3], flexible: true }, true));
     }
 
     pub(in crate::mechanics) fn add_part(&mut self, part: &PartModel, body: usize, pose: &Isometry3<f64>) {
@@ -187,8 +192,9 @@ impl<'a> Builder<'a> {
             self.tags.push(tag);
         }
         self.hold_what_carries_nothing();
+        let link_factor = self.link_factor();
         let Self { structure, tags, hub, rods, motors, skins, extent, .. } = self;
-        Ok(FrameModel { system: System::new(structure)?, tags, hub, rods, motors, skins, extent })
+        Ok(FrameModel { system: System::new(structure)?, tags, hub, rods, motors, skins, extent, link_factor })
     }
 
     /// A node that no element meets would move freely.

@@ -34,6 +34,8 @@ pub struct Tag {
     pub reach_mm: [f64; 2],
     /// E A, E I about y and z; zero for ties.
     pub rigidity: [f64; 3],
+    /// Whether it is of the flexible material.
+    pub flexible: bool,
 }
 
 /// A rod in the model.
@@ -76,4 +78,6 @@ pub struct FrameModel {
     pub skins: Vec<Skin>,
     /// How much of the frame it is.
     pub extent: Extent,
+    /// By how much its links are stiffer than those of soft joints, and what rounding leaves of forces is larger.
+    pub link_factor: f64,
 }

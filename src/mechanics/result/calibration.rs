@@ -2,7 +2,7 @@
 
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
-use super::static_curve::{CurveError, StaticCurve};
+use super::static_curve::{CurveError, MOST_DOWN_MM, StaticCurve};
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::MassTable;
 use crate::mechanics::model::frame_model::{Extent, FrameModel};
@@ -41,6 +41,16 @@ pub enum CalibrationError {
     Small {
         /// The largest.
         farthest_mm: f64,
+    },
+    /// Displacements at which the arms are at the lower ring, or beyond the longest curve.
+    #[error(
+        "the test goes to {farthest_mm} mm and the model to {most_mm:.1} mm, where the arms are at the lower ring or the curve ends: leave out the rows beyond"
+    )]
+    Far {
+        /// The largest.
+        farthest_mm: f64,
+        /// The model's end.
+        most_mm: f64,
     },
     /// The model ends before the data.
     #[error("the model finds no equilibrium at {displacement_mm} mm, which was measured")]
@@ -102,6 +112,10 @@ pub fn calibrate(
     let farthest = displacements[displacements.len() - 1];
     if farthest < LEAST_MM {
         return Err(CalibrationError::Small { farthest_mm: farthest });
+    }
+    let most_mm = design.skeleton.closure.ring_half_height_mm.min(MOST_DOWN_MM);
+    if farthest > most_mm {
+        return Err(CalibrationError::Far { farthest_mm: farthest, most_mm });
     }
     let mut settings = settings.for_material(&design.frame.flexible.material);
     let mut ratio = 1.0;

@@ -3,7 +3,7 @@
 use super::impact::{Impact, ImpactError, Run};
 use super::static_curve::{CurveError, StaticCurve};
 use super::strength::RodForce;
-use super::underside::Underside;
+use super::underside::{self, Underside};
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::MassTable;
 use crate::mechanics::model::frame_model::{Extent, FrameModel};
@@ -26,7 +26,7 @@ pub struct Prediction {
     /// How far the centre's lowest corner has come down, mm, and its speed downwards, m/s, moment by moment.
     #[serde(skip)]
     pub descent: Vec<[f64; 2]>,
-    /// The zone that is strained most at any moment, and its strain.
+    /// The zone of the flexible material that is strained most at any moment, and its strain.
     pub strain: (&'static str, f64),
     /// The rod nearest to buckling.
     pub rod: Option<RodForce>,
@@ -42,12 +42,7 @@ pub struct Prediction {
 impl Prediction {
     /// How fast the lowest corner is when it has come down this far, m/s; none when it does not.
     pub fn speed_m_s(&self, down_mm: f64) -> Option<f64> {
-        if let Some([_, speed]) = self.descent.first().filter(|[way_mm, _]| *way_mm >= down_mm) {
-            return Some(*speed);
-        }
-        let at = self.descent.windows(2).find(|pair| pair[0][0] < down_mm && pair[1][0] >= down_mm)?;
-        let [[before_mm, before], [behind_mm, behind]] = [at[0], at[1]];
-        Some(before + (down_mm - before_mm) / (behind_mm - before_mm) * (behind - before))
+        underside::passes(&self.descent, down_mm).map(|(_, speed_m_s)| speed_m_s)
     }
 }
 
@@ -80,7 +75,7 @@ impl PredictionError {
     /// Whether the frame is to blame, which gives way under its loads, and not what is said of it.
     pub fn gives_way(&self) -> bool {
         match self {
-            Self::Curve(CurveError::Statics(_)) | Self::GivesWay { .. } | Self::StillComesDown { .. } => true,
+            Self::Curve(CurveError::Lost { .. } | CurveError::Sparse(_)) | Self::GivesWay { .. } | Self::StillComesDown { .. } => true,
             Self::Impact(error) => !matches!(error, ImpactError::Model(_)),
             Self::Curve(CurveError::Model(_)) => false,
         }
@@ -108,7 +103,8 @@ pub fn predict(design: &Design, masses: &MassTable, settings: &MechanicsSettings
     if let Some(last) = impact.moments.last().filter(|_| !impact.has_turned_back()) {
         return Err(PredictionError::StillComesDown { drop_m, after_ms: last.t_ms });
     }
-    let strained = impact.strains.iter().max_by(|a, b| a.1.total_cmp(&b.1));
+    let of_flexible = |zone: &str| model.tags.iter().any(|tag| tag.flexible && tag.zone == zone);
+    let strained = impact.strains.iter().filter(|(zone, _)| of_flexible(zone)).max_by(|a, b| a.1.total_cmp(&b.1));
     Ok(Prediction {
         initial_n_mm: curve.initial_n_mm(),
         secant_8_mm_n_mm,

@@ -7,9 +7,12 @@ use super::strength::{RodForce, ZoneState, rod_forces, zones};
 use crate::mechanics::model::frame_model::FrameModel;
 use crate::mechanics::model::model_error::ModelError;
 use crate::mechanics::solve::statics::{Balance, Command, Path, Precision, StaticsError};
+use crate::mechanics::system::sparse::SparseError;
 
 /// How far the centre is pressed down unless somebody says otherwise, mm.
 pub const DOWN_MM: f64 = 34.0;
+/// Farthest that it is ever pressed down, mm.
+pub const MOST_DOWN_MM: f64 = 60.0;
 /// Displacements at which the inside is reported, mm.
 pub const INSIDE_MM: [f64; 2] = [1.0, 16.0];
 
@@ -20,8 +23,14 @@ pub enum CurveError {
     #[error(transparent)]
     Model(#[from] ModelError),
     /// No equilibrium.
+    #[error("no equilibrium was found with the centre pressed down by {down_mm:.3} mm")]
+    Lost {
+        /// How far.
+        down_mm: f64,
+    },
+    /// The tangent is singular.
     #[error(transparent)]
-    Statics(#[from] StaticsError),
+    Sparse(#[from] SparseError),
 }
 
 /// A point of the curve.
@@ -85,7 +94,9 @@ impl StaticCurve {
         let unknown = model.system.unknowns.of(model.hub)[2];
         let mut load = vec![0.0; model.system.unknowns.size()];
         load[unknown] = -1.0;
-        let mut path = Path::new(&model.system, Command { load, unknown }, model.system.rest(), Precision::default());
+        let usual = Precision::default();
+        let precision = Precision { absolute_n: model.link_factor * usual.absolute_n, ..usual };
+        let mut path = Path::new(&model.system, Command { load, unknown }, model.system.rest(), precision);
         let mut curve = Self {
             points: vec![CurvePoint { displacement_mm: 0.0, force_n: 0.0, iterations: 0, unstable: 0 }],
             inside: Vec::new(),
@@ -100,7 +111,8 @@ impl StaticCurve {
                 Ok(balance) => balance,
                 // The curve ends where the frame has snapped through in a way that this displacement does not command.
                 Err(_) if curve.points.len() > 8 => break,
-                Err(error) => return Err(error.into()),
+                Err(StaticsError::Sparse(error)) => return Err(error.into()),
+                Err(StaticsError::Lost { displacement }) => return Err(CurveError::Lost { down_mm: -displacement }),
             };
             curve.points.push(CurvePoint { displacement_mm, force_n: load * copies, iterations: *iterations, unstable: *unstable });
             let last = (displacement_mm - to_mm).abs() < 1e-9;

@@ -30,6 +30,18 @@ pub struct Reached {
     pub speed_m_s: f64,
 }
 
+/// Where a descent passes a way down, mm: between which moments, as a number of theirs with a fraction, and how fast, m/s. One that begins there or beyond
+/// passes it at once.
+pub(super) fn passes(descent: &[[f64; 2]], down_mm: f64) -> Option<(f64, f64)> {
+    if let Some([_, speed]) = descent.first().filter(|[way_mm, _]| *way_mm >= down_mm) {
+        return Some((0.0, *speed));
+    }
+    let at = descent.windows(2).position(|pair| pair[0][0] < down_mm && pair[1][0] >= down_mm)?;
+    let [[before_mm, before], [behind_mm, behind]] = [descent[at], descent[at + 1]];
+    let share = (down_mm - before_mm) / (behind_mm - before_mm);
+    Some((at as f64 + share, before + share * (behind - before)))
+}
+
 impl Underside {
     /// Of a design whose lowest body is `gap_mm` above the ground when it stands level.
     pub fn of(design: &Design, model: &FrameModel, gap_mm: f64) -> Self {
@@ -53,15 +65,9 @@ impl Underside {
     /// When the centre first reaches the ground in an impact; `None` where it does not. One that hangs lower than the feet, or is turned so far that
     /// it comes first, reaches it with them.
     pub fn reached(&self, impact: &Impact) -> Option<Reached> {
-        let heights_mm: Vec<f64> = impact.centre.iter().map(|centre| self.height_mm(centre)).collect();
-        if heights_mm.first().is_some_and(|height_mm| *height_mm <= 0.0) {
-            return Some(Reached { at_ms: 0.0, speed_m_s: impact.speed_m_s });
-        }
-        let at = heights_mm.windows(2).position(|pair| pair[1] <= 0.0)?;
-        let [before, after] = [at, at + 1].map(|at| (impact.moments[at].t_ms, heights_mm[at]));
-        // mm/ms are m/s.
-        let speed_m_s = (before.1 - after.1) / (after.0 - before.0);
-        Some(Reached { at_ms: before.0 + before.1 / speed_m_s, speed_m_s })
+        let (at, speed_m_s) = passes(&self.descent(impact), self.height_mm(impact.centre.first()?))?;
+        let [before, behind] = [at.floor(), at.ceil()].map(|at| impact.moments[at as usize].t_ms);
+        Some(Reached { at_ms: before + (at - at.floor()) * (behind - before), speed_m_s })
     }
 
     /// How far the lowest corner has come down since first touch, mm, and its speed downwards, m/s, through an impact.

@@ -1,5 +1,5 @@
 //! The pieces of a coupon on the bed: those of a material behind each other, as far apart as their brims need, in the middle or where nothing is kept
-//! clear.
+//! clear; on as many plates as they take.
 
 use nalgebra::{Isometry3, Translation3};
 
@@ -16,34 +16,60 @@ pub struct CouponPlate<'a> {
     pub placed: Vec<(&'a Piece<'a>, Isometry3<f64>)>,
 }
 
+/// The plates of a coupon, and the pieces that lie on none.
+pub struct CouponPlates<'a> {
+    /// As many of each material as it takes.
+    pub plates: Vec<CouponPlate<'a>>,
+    /// Pieces that are larger than the room on the bed.
+    pub no_room: Vec<&'a Piece<'a>>,
+}
+
 impl<'a> Coupon<'a> {
-    /// A plate for each material; none for one whose pieces do not lie on this bed together.
-    pub fn plates(&'a self, printer: &Printer) -> Vec<CouponPlate<'a>> {
-        let mut plates: Vec<CouponPlate> = Vec::new();
-        for piece in &self.pieces {
-            match plates.iter_mut().find(|plate| plate.material.name == piece.material.name) {
-                Some(plate) => plate.placed.push((piece, Isometry3::identity())),
-                None => plates.push(CouponPlate { material: piece.material, placed: vec![(piece, Isometry3::identity())] }),
+    /// Its pieces on the bed of a printer.
+    pub fn plates(&'a self, printer: &Printer) -> CouponPlates<'a> {
+        let mut all = CouponPlates { plates: Vec::new(), no_room: Vec::new() };
+        let mut open: Vec<&Piece> = self.pieces.iter().collect();
+        while let Some(first) = open.first() {
+            let material = first.material;
+            let mut taken: Vec<&Piece> = Vec::new();
+            for piece in open.iter().filter(|piece| piece.material.name == material.name) {
+                taken.push(piece);
+                if laid_out(&taken, printer).is_none() {
+                    taken.pop();
+                }
+            }
+            let is_taken = |piece: &Piece| taken.iter().any(|one| one.name == piece.name);
+            match laid_out(&taken, printer).filter(|placed| !placed.is_empty()) {
+                Some(placed) => {
+                    open.retain(|piece| !is_taken(piece));
+                    all.plates.push(CouponPlate { material, placed });
+                }
+                None => {
+                    let (none, others) = open.into_iter().partition(|piece| piece.material.name == material.name);
+                    all.no_room.extend::<Vec<&Piece>>(none);
+                    open = others;
+                }
             }
         }
-        plates.into_iter().filter_map(|plate| plate.laid_out(printer)).collect()
+        all
     }
 }
 
-impl CouponPlate<'_> {
-    fn laid_out(mut self, printer: &Printer) -> Option<Self> {
-        let sizes: Vec<[f64; 3]> = self.placed.iter().map(|(piece, _)| piece.mesh.size_mm()).collect();
-        let Room { gap_mm, edge_mm, .. } = Room::of(printer, self.material.material.brim_mm.unwrap_or(0.0));
-        let wide = sizes.iter().map(|size| size[0]).fold(0.0, f64::max);
-        let deep = sizes.iter().map(|size| size[1] + gap_mm).sum::<f64>() - gap_mm;
-        let middle = middle_of_box([wide, deep], printer, edge_mm)?;
-        let mut y_mm = middle[1] - 0.5 * deep;
-        for ((piece, pose), size) in self.placed.iter_mut().zip(sizes) {
-            let [low, high] = piece.mesh.bounds_mm();
-            let x_mm = middle[0] - 0.5 * (low[0] + high[0]);
-            *pose = Isometry3::from(Translation3::new(x_mm, y_mm - low[1], -low[2]));
-            y_mm += size[1] + gap_mm;
-        }
-        Some(self)
-    }
+/// Pieces of one material behind each other; nothing where they have no room together.
+fn laid_out<'a>(pieces: &[&'a Piece<'a>], printer: &Printer) -> Option<Vec<(&'a Piece<'a>, Isometry3<f64>)>> {
+    let sizes: Vec<[f64; 3]> = pieces.iter().map(|piece| piece.mesh.size_mm()).collect();
+    let brim_mm = pieces.first().map_or(0.0, |piece| piece.material.material.brim_mm.unwrap_or(0.0));
+    let Room { gap_mm, edge_mm, .. } = Room::of(printer, brim_mm);
+    let wide = sizes.iter().map(|size| size[0]).fold(0.0, f64::max);
+    let deep = sizes.iter().map(|size| size[1] + gap_mm).sum::<f64>() - gap_mm;
+    let middle = middle_of_box([wide, deep], printer, edge_mm)?;
+    let mut y_mm = middle[1] - 0.5 * deep;
+    let placed = pieces.iter().zip(sizes).map(|(piece, size)| {
+        let [low, high] = piece.mesh.bounds_mm();
+        let x_mm = middle[0] - 0.5 * (low[0] + high[0]);
+        let pose = Isometry3::from(Translation3::new(x_mm, y_mm - low[1], -low[2]));
+        y_mm += size[1] + gap_mm;
+        (*piece, pose)
+    });
+    Some(placed.collect())
 }

@@ -11,7 +11,7 @@ mod hinges;
 mod label;
 mod pieces;
 
-pub use bed::CouponPlate;
+pub use bed::{CouponPlate, CouponPlates};
 pub use found::{FindingError, Fit, Found};
 pub use hinge_limit::{FoldedHinge, FoldingError, HingeLimit, KEY as HINGE_KEY, StrainedHinge};
 pub use hinges::{FOLDS, Hinges};

@@ -53,12 +53,12 @@ impl<'a> Coupon<'a> {
     /// When a piece's mesh does not pass the export gate, or the frame does not close.
     pub fn new(frame: &'a Frame) -> Result<Self, CouponError> {
         // As the parts of this printer are drawn.
-        let [hole_mm, foot_mm] = [frame.printer.hole_undersize_mm, frame.printer.elephant_foot_mm].map(|mm| mm.unwrap_or(0.0));
+        let hole_mm = frame.printer.hole_undersize_mm.unwrap_or(0.0);
         let piece = |name: &str, material: &'a NamedMaterial, feature: &Feature| {
             let solid = MeshSolid::build(&feature.with_wider_bores(0.5 * hole_mm)).simplified();
-            let drawn = match foot_mm {
-                0.0 => Ok(solid.mesh()),
-                foot_mm => drawn_in_below(&solid, foot_mm, frame.printer.layer_mm(&material.material)),
+            let drawn = match frame.printer.elephant_foot_mm {
+                None | Some(0.0) => Ok(solid.mesh()),
+                Some(_) => drawn_in_below(&solid, &frame.printer, frame.printer.layer_mm(&material.material)),
             };
             let passed = drawn.and_then(|mesh| gate::pass(&mesh).map(|_| mesh));
             match passed {
@@ -120,7 +120,7 @@ mod tests {
         let mut printer = frame.printer.clone();
         for (bed, size_mm) in [(Bed::Rectangular, [180.0, 180.0]), (Bed::Round, [180.0, 180.0])] {
             (printer.bed, printer.size_mm) = (bed, size_mm);
-            let plates = coupon.plates(&printer);
+            let plates = coupon.plates(&printer).plates;
             assert_eq!(plates.iter().map(|plate| plate.placed.len()).collect::<Vec<_>>(), [5, 1]);
             let reach_mm = |x: f64, y: f64| if bed == Bed::Round { libm::hypot(x, y) } else { (x - 90.0).abs().max((y - 90.0).abs()) };
             for plate in &plates {
@@ -133,8 +133,31 @@ mod tests {
                 }
             }
         }
-        printer.size_mm = [60.0, 60.0];
-        assert_eq!(coupon.plates(&printer).iter().map(|plate| plate.placed.len()).collect::<Vec<_>>(), [1]);
+    }
+
+    #[test]
+    fn planted_pieces_on_a_small_bed_take_more_plates_and_those_without_room_are_named() {
+        let frame = Frame::load("cognifly").expect("is a preset").0;
+        let coupon = Coupon::new(&frame).expect("is made");
+        let all: Vec<&str> = coupon.pieces.iter().map(|piece| piece.name.as_str()).collect();
+        for (size_mm, plates, no_room) in
+            [([180.0; 2], 2, vec![]), ([110.0, 40.0], 3, vec![]), ([60.0; 2], 2, vec!["gauge"]), ([8.0; 2], 0, all)]
+        {
+            let printer = Printer { size_mm, ..frame.printer.clone() };
+            let laid = coupon.plates(&printer);
+            assert_eq!(laid.no_room.iter().map(|piece| piece.name.as_str()).collect::<Vec<_>>(), no_room, "{size_mm:?}");
+            assert_eq!(laid.plates.len(), plates, "{size_mm:?}");
+            let mut placed: Vec<&str> = laid.plates.iter().flat_map(|plate| &plate.placed).map(|(piece, _)| piece.name.as_str()).collect();
+            placed.extend(no_room);
+            placed.sort_unstable();
+            let mut wanted: Vec<&str> = coupon.pieces.iter().map(|piece| piece.name.as_str()).collect();
+            wanted.sort_unstable();
+            assert_eq!(placed, wanted, "{size_mm:?}");
+            for (piece, pose) in laid.plates.iter().flat_map(|plate| &plate.placed) {
+                let [low, high] = piece.mesh.bounds_mm().map(|corner| pose * nalgebra::Point3::from(corner));
+                assert!((0..2).all(|axis| low[axis] >= 3.0 && high[axis] <= size_mm[axis] - 3.0), "{} {low} {high}", piece.name);
+            }
+        }
     }
 
     #[test]
@@ -145,7 +168,7 @@ mod tests {
         let keeping = |kept: [f64; 4]| Printer { kept_clear_mm: Some(vec![kept]), ..frame.printer.clone() };
         for kept in [[0.0, 0.0, 30.0, 30.0], [100.0, 80.0, 130.0, 120.0], [0.0, 0.0, 140.0, 210.0]] {
             let printer = keeping(kept);
-            let plates = coupon.plates(&printer);
+            let plates = coupon.plates(&printer).plates;
             assert_eq!(plates.iter().map(|plate| plate.placed.len()).collect::<Vec<_>>(), [5, 1], "{kept:?}");
             for (piece, pose) in plates.iter().flat_map(|plate| &plate.placed) {
                 let [low, high] = piece.mesh.bounds_mm().map(|corner| pose * nalgebra::Point3::from(corner));
@@ -154,7 +177,7 @@ mod tests {
                 assert!(is_clear && is_on_bed, "{} at {low} to {high}, clear {kept:?}", piece.name);
             }
         }
-        assert!(coupon.plates(&keeping([0.0, 0.0, 250.0, 210.0])).is_empty());
+        assert!(coupon.plates(&keeping([0.0, 0.0, 250.0, 210.0])).plates.is_empty());
     }
 
     #[test]
@@ -163,7 +186,7 @@ mod tests {
         for (brim_mm, gap_mm) in [(None, 8.0), (Some(3.0), 8.0), (Some(6.0), 12.0)] {
             frame.flexible.material.brim_mm = brim_mm;
             let coupon = Coupon::new(&frame).expect("is made");
-            let plates = coupon.plates(&frame.printer);
+            let plates = coupon.plates(&frame.printer).plates;
             let sides: Vec<[f64; 2]> = plates[0]
                 .placed
                 .iter()
@@ -177,9 +200,9 @@ mod tests {
         let mut printer = frame.printer.clone();
         let coupon = Coupon::new(&frame).expect("is made");
         let deep_mm = |gap_mm: f64| coupon.pieces[..5].iter().map(|piece| piece.mesh.size_mm()[1] + gap_mm).sum::<f64>() - gap_mm;
-        for (more_mm, placed) in [(0.1, 5), (-0.1, 0)] {
-            printer.size_mm = [200.0, deep_mm(12.0) + 12.0 + more_mm];
-            let plates = coupon.plates(&printer);
+        for (more_mm, placed) in [(0.1, 5), (-0.1, 4)] {
+            printer.size_mm = [200.0, deep_mm(12.0) + 18.0 + more_mm];
+            let plates = coupon.plates(&printer).plates;
             let flexible = plates.iter().find(|plate| plate.material.name == frame.flexible.name);
             assert_eq!(flexible.map_or(0, |plate| plate.placed.len()), placed, "{more_mm}");
         }

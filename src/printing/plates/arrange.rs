@@ -53,6 +53,12 @@ pub fn arrange_what_fits(design: &Design, wanted: &[Wanted]) -> Vec<Plate> {
     laid_out(design, wanted).0
 }
 
+/// What of the wanted parts lies on none of these plates.
+pub fn without_room(plates: &[Plate], wanted: &[Wanted]) -> Vec<Wanted> {
+    let laid = |name: PartName| plates.iter().flat_map(|plate| &plate.items).filter(|item| item.part == name).count();
+    wanted.iter().map(|(name, count)| (*name, count.saturating_sub(laid(*name)))).filter(|(_, count)| *count > 0).collect()
+}
+
 /// Plates, and what lies on none.
 fn laid_out(design: &Design, wanted: &[Wanted]) -> (Vec<Plate>, Vec<NoRoom>) {
     let (mut plates, mut no_room) = (Vec::new(), Vec::new());

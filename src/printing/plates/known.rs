@@ -128,6 +128,10 @@ pub(super) static SUPPORT: Known = known(
 pub(super) static SUPPORT_AUTO: Known =
     known("support wherever it is needed", keys(&["support_material_auto"]), spelled(&["support_type"], &[("1", "normal(auto)")]), NONE);
 
+/// A profile with support on the build plate only would leave out what stands on the part.
+pub(super) static SUPPORT_ON_PART: Known =
+    known("support on the build plate only", keys(&["support_material_buildplate_only"]), keys(&["support_on_build_plate_only"]), NONE);
+
 pub(super) static ELEPHANT_FOOT: Known = known(
     "first layer drawn in by the slicer, mm",
     keys(&["elefant_foot_compensation"]),

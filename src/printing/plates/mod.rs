@@ -8,6 +8,6 @@ mod known;
 mod plate;
 mod settings;
 
-pub use arrange::{NoRoom, Wanted, all, arrange, arrange_what_fits};
+pub use arrange::{NoRoom, Wanted, all, arrange, arrange_what_fits, without_room};
 pub use plate::{Item, Plate, short};
 pub use settings::{PrintSetting, PrintSettings, SlicerFamily};

@@ -95,6 +95,7 @@ impl PrintSettings {
         all.put(&known::SUPPORT, if supported { "1" } else { "0" });
         if supported {
             all.put(&known::SUPPORT_AUTO, "1");
+            all.put(&known::SUPPORT_ON_PART, "0");
         }
         if printer.elephant_foot_mm.is_some_and(|mm| mm > 0.0) {
             all.put(&known::ELEPHANT_FOOT, "0");

@@ -114,7 +114,8 @@ fn comparison(found: &Stiffness) -> String {
         text += &format!("{f:>9.1} {:>8}   N at {x} mm\n", force(*x).map_or_else(|| "-".into(), |model| format!("{model:.1}")));
     }
     if reached < found.measured.len() {
-        text += &format!("{} points lie beyond the end of the curve\n", found.measured.len() - reached);
+        let beyond = found.measured.len() - reached;
+        text += &format!("{beyond} {} beyond the end of the curve\n", if beyond == 1 { "point lies" } else { "points lie" });
     }
     text
 }

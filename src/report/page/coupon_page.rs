@@ -5,9 +5,11 @@ use std::fmt::Write;
 use nalgebra::{Isometry3, Vector3};
 
 use crate::export::three_mf::{self, Contents, Object};
+use crate::figures::decimals;
 use crate::markdown::inert;
 use crate::params::Frame;
-use crate::printing::coupon::{Coupon, CouponPlate, FOLDS, Fit, Hinges};
+use crate::params::catalogue::Printer;
+use crate::printing::coupon::{Coupon, CouponPlate, FOLDS, Fit, Hinges, Piece};
 use crate::printing::plates::{PrintSettings, short};
 use crate::report::picture::image as picture;
 use crate::report::picture::image::{Bed, Item, View};
@@ -95,8 +97,18 @@ fn word(text: &str) -> String {
     if text.chars().all(is_plain) { text.into() } else { format!("'{}'", text.replace('\'', "'\\''")) }
 }
 
+/// Which pieces lie on no plate, in a sentence without full stop.
+pub fn without_room(pieces: &[&Piece], printer: &Printer) -> String {
+    let of = |piece: &&Piece| {
+        let [x, y, z] = piece.mesh.size_mm().map(|mm| decimals(mm, 0));
+        format!("{}.stl ({x} x {y} x {z} mm)", piece.name)
+    };
+    let all: Vec<String> = pieces.iter().map(of).collect();
+    format!("{}: on no plate, as the bed of {} has no room for it: print it on a larger one", all.join(", "), printer.name)
+}
+
 /// The page; its commands name the frame as it was given.
-pub fn markdown(frame: &Frame, coupon: &Coupon, given: &str) -> String {
+pub fn markdown(frame: &Frame, coupon: &Coupon, no_room: &[&Piece], given: &str) -> String {
     let mut text = format!(
         "# Coupon of {}\n\nWhich clearances this printer needs, before the frame is printed. Print each piece as it lies, with the settings of the frame's \
          parts: open the `plate_` of each material, or load the `.ini` beside a piece in PrusaSlicer, and keep your own printer and spool.\n\n![The pieces](coupon.png)\n\n| piece | of | settings | mm3 |\n|---|---|---|---|\n",
@@ -106,6 +118,9 @@ pub fn markdown(frame: &Frame, coupon: &Coupon, given: &str) -> String {
     for piece in &coupon.pieces {
         let _ =
             writeln!(text, "| `{0}.stl` | {1} | `{0}.ini` | {2:.0} |", piece.name, inert(&piece.material.name), piece.mesh.volume_mm3());
+    }
+    if !no_room.is_empty() {
+        let _ = write!(text, "\n**{}.**\n", inert(&without_room(no_room, &frame.printer)));
     }
     let _ = write!(
         text,

@@ -8,7 +8,7 @@ use crate::frame::assembly::Design;
 use crate::frame::fold::FoldSequence;
 use crate::frame::mounting::mounts_of;
 use crate::markdown::inert;
-use crate::printing::plates::Plate;
+use crate::printing::plates::{self, Plate};
 
 /// A step: what is done, how long it takes, what it costs, where it stands.
 type Row = [String; 4];
@@ -49,17 +49,26 @@ fn print(design: &Design, bill: &Bill, plates: &[(Plate, Vec<u8>)]) -> Row {
         format!("{}{hours}", linked(&plate.name()))
     };
     let files: Vec<String> = plates.iter().map(plate).collect();
-    let no_room = pieces as usize - plates.iter().map(|(plate, _)| plate.items.len()).sum::<usize>().min(pieces as usize);
-    let missing = if no_room > 0 { format!("; **{} no room on the printer's bed**", have(no_room)) } else { String::new() };
-    let what = format!("print {pieces} parts on {}, {:.0} g{missing}", counted(plates.len(), "plate"), bill.printed_g);
+    let bare: Vec<Plate> = plates.iter().map(|(plate, _)| plate.clone()).collect();
+    let no_room = plates::without_room(&bare, &plates::all(design));
+    if !no_room.is_empty() {
+        let names: Vec<String> = no_room.iter().map(|(part, count)| format!("{count} {part}")).collect();
+        let laid = pieces as usize - no_room.iter().map(|(_, count)| count).sum::<usize>();
+        let grams: f64 = bare.iter().map(|plate| plate.material.material.printed_g(plate.volume_mm3(&design.printed))).sum();
+        let time = bare.iter().map(|plate| plate.print_s(design)).sum::<Option<f64>>();
+        let time = time.map_or_else(unknown, |seconds| format!("{:.1} h", seconds / 3600.0));
+        let what = format!(
+            "print {laid} of {pieces} parts on {}, {grams:.0} g; **the printer's bed has no room for {}**, whose files are in `parts/`",
+            counted(plates.len(), "plate"),
+            names.join(", ")
+        );
+        return [what, time, unknown(), format!("{}; [settings](print-settings.md)", files.join(", "))];
+    }
+    let what = format!("print {pieces} parts on {}, {:.0} g", counted(plates.len(), "plate"), bill.printed_g);
     let sums: Vec<String> = bill.filament_prices.iter().map(|(currency, sum)| price(*sum, *sum, currency)).collect();
     let without = if bill.print.iter().any(|line| line.price.is_none()) { ", without what has no price" } else { "" };
     let cost = if sums.is_empty() { unknown() } else { format!("{}{without}", sums.join(" and ")) };
     [what, time, cost, format!("{}; [settings](print-settings.md)", files.join(", "))]
-}
-
-fn have(parts: usize) -> String {
-    format!("{} {}", counted(parts, "part"), if parts == 1 { "has" } else { "have" })
 }
 
 /// A plate's name as a link to its file; a material's name that is no plain word is written without one.

@@ -6,15 +6,15 @@ use crate::frame::assembly::Design;
 use crate::markdown::inert;
 use crate::params::catalogue::{Bed, Material, Printer};
 use crate::params::frame::NamedMaterial;
-use crate::printing::filament::filament_m;
+use crate::printing::filament::Filament;
 use crate::printing::heat::{heats, sentence, unknown};
-use crate::printing::plates::{Plate, PrintSetting, PrintSettings, SlicerFamily};
+use crate::printing::plates::{Plate, PrintSetting, PrintSettings, SlicerFamily, Wanted};
 
 /// Nozzle of the profiles that the materials' entries name as their source, mm.
 const SOURCES_NOZZLE_MM: f64 = 0.4;
 
-/// The page.
-pub fn markdown(design: &Design, plates: &[Plate]) -> String {
+/// The page; `no_room` are the parts that are wanted and lie on no plate.
+pub fn markdown(design: &Design, plates: &[Plate], no_room: &[Wanted]) -> String {
     let printer = &design.frame.printer;
     let [x, y] = printer.size_mm;
     let bed = match printer.bed {
@@ -31,6 +31,10 @@ pub fn markdown(design: &Design, plates: &[Plate]) -> String {
         inert(&printer.name),
         printer.nozzle_mm
     );
+    if !no_room.is_empty() {
+        let parts: Vec<String> = no_room.iter().map(|(part, count)| format!("{count} {part}")).collect();
+        let _ = write!(text, "\n**On no plate, as the bed has no room for them: {}.** Their files are in `parts/`.\n", parts.join(", "));
+    }
     compensation(&mut text, printer);
     heat(&mut text, design, plates);
     let mut seen: Vec<&str> = Vec::new();
@@ -88,6 +92,7 @@ fn material(text: &mut String, design: &Design, plates: &[Plate], name: &str) {
     let Some(first) = own.first() else { return };
     let Some((part, _)) = first.quantities().first().copied() else { return };
     let material = &first.material.material;
+    let filament = Filament::of(&design.frame.printer);
     let common = PrintSettings::of_part(first.supported.contains(&part), material, &design.frame.printer);
     // Writing to a string does not fail.
     let _ = write!(text, "\n## {}\n\n| plate | parts | time | filament | cost |\n|---|---|---:|---:|---:|\n", inert(name));
@@ -95,7 +100,7 @@ fn material(text: &mut String, design: &Design, plates: &[Plate], name: &str) {
         let parts: Vec<String> = plate.quantities().iter().map(|(part, count)| format!("{count} {part}")).collect();
         let time = plate.print_s(design).map_or("-".into(), formatted);
         let volume_mm3: f64 = plate.volume_mm3(&design.printed);
-        let (mass_g, metres) = (material.printed_g(volume_mm3), filament_m(material.printed_mm3(volume_mm3)));
+        let (mass_g, metres) = (material.printed_g(volume_mm3), filament.length_m(material.printed_mm3(volume_mm3)));
         let cost = material.cost(mass_g).map_or("-".into(), |(cost, currency)| inert(&format!("{cost:.2} {currency}")));
         let _ = writeln!(
             text,
@@ -108,8 +113,8 @@ fn material(text: &mut String, design: &Design, plates: &[Plate], name: &str) {
         true => "Times are estimates, up to 60 mm/s within 15 % of PrusaSlicer's; heating, cooling and support come on top.",
         false => "No time is known: the material states no speed_mm_s, or layers that are too high for the nozzle's lines.",
     };
-    let _ = write!(text, "\n{times} Filament is that of the parts as they weigh, 1.75 mm thick.\n");
-    as_filled(text, material, own.iter().map(|plate| plate.volume_mm3(&design.printed)).sum());
+    let _ = write!(text, "\n{times} Filament is that of the parts as they weigh, {} mm thick.\n", filament.diameter_mm);
+    as_filled(text, material, filament, own.iter().map(|plate| plate.volume_mm3(&design.printed)).sum());
     price(text, name, material);
     if name == design.frame.flexible.name {
         text.push_str("\nDry the spool as its maker says where it lay in open air: flexible filament takes up water, which makes strings and weak layers.\n");
@@ -174,11 +179,11 @@ fn price(text: &mut String, name: &str, material: &Material) {
 }
 
 /// What a printer lays that fills parts wholly, where the material's entry says that they weigh otherwise.
-fn as_filled(text: &mut String, material: &Material, volume_mm3: f64) {
+fn as_filled(text: &mut String, material: &Material, filament: Filament, volume_mm3: f64) {
     if (material.print_factor - 1.0).abs() < 1e-9 {
         return;
     }
-    let (solid_g, metres) = (material.solid_g(volume_mm3), filament_m(volume_mm3));
+    let (solid_g, metres) = (material.solid_g(volume_mm3), filament.length_m(volume_mm3));
     // Writing to a string does not fail.
     let _ = writeln!(
         text,
