@@ -201,6 +201,10 @@ fn summary(found: &Diagnosis, compared: &Compared) -> String {
     }
     text += &gaps(found, compared);
     text += &estimates("parameter", &found.estimates);
+    text += &diagnosis_data::held_rows(found)
+        .into_iter()
+        .map(|[name, value, why]| format!("{name:<32} {value:>10}   {why}").trim_end().to_string() + "\n")
+        .collect::<String>();
     if let Some(landings) = compared.landings_beside() {
         text += &estimates(&format!("parameter of {}", landings.ids().join(" + ")), &landings.estimates);
     } else if let Some(next) = found.experiments.first() {

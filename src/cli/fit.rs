@@ -177,6 +177,9 @@ fn fitted(args: &Args, chosen: &Chosen, layout: &Layout) -> Result<(Fit, Option<
 /// Fewest drops a height of which a small p says that the model lacks an effect: with 5, 10 of 180 true models had one, about one in twenty, with 20 none of 60.
 const FEWEST: usize = 10;
 
+/// Distance over degrees of freedom that is no scatter of few drops: a choice.
+const HOPELESS: f64 = 10.0;
+
 /// Drops of the height that has the fewest.
 fn fewest(chosen: &Chosen) -> usize {
     let own = |height_m: f64| chosen.drops.iter().filter(|drop| drop.record.height_m == height_m).count();
@@ -184,13 +187,13 @@ fn fewest(chosen: &Chosen) -> usize {
 }
 
 /// What the distance says of the model, by so many drops of the height that has the fewest.
-fn verdict(fit: &Fit, fewest: usize) -> String {
+fn verdict(fit: &Fit, fewest: usize, degrees_of_freedom: usize) -> String {
     let Some(p) = fit.p else { return String::new() };
     let told = format!(", p = {} by simulated sets", p_value(p));
     // The least that so many sets can say.
     let is_least = p * (fit.resampled + 1) as f64 <= 1.5;
     match () {
-        () if p < RARE && fewest < FEWEST => {
+        () if p < RARE && fewest < FEWEST && fit.objective[1] < HOPELESS * degrees_of_freedom as f64 => {
             format!("{told}: of so few drops ({fewest} a height) one in twenty true models seems to lack an effect; measure more to see it")
         }
         () if p < RARE => format!("{told}: the model lacks an effect"),
@@ -246,7 +249,7 @@ fn table(fit: &Fit, chosen: &Chosen, args: &Args, numbers: Option<usize>, warnin
             let free = numbers - fit.estimates.len();
             format!(
                 "\nwhitened distance of the mean waves: {start:.1}, fitted {end:.1}, {free} degrees of freedom{}\n",
-                verdict(fit, fewest(chosen))
+                verdict(fit, fewest(chosen), free)
             )
         }
         None => format!("\nthe paper's objective: {start:.4}, fitted {end:.4}\n"),

@@ -58,6 +58,8 @@ fn measured_drops_are_diagnosed_without_falling_for_their_traps() {
     let population = study.landing.gaps.held_out.net_g;
     let [least_g, _] = study.landing.gaps.held_out_ci95_g.expect("150 cm is held out");
     let before_g = study.judged.before.held_out.net_g;
+    let readme = include_str!("../../README.md");
+    assert!(readme.contains(&format!("misses the mean wave of 150 cm by {population:.1} g\n(")), "README.md: the gap is {population:.1} g");
     assert!(
         population <= 6.0 && population < 0.35 * before_g && population < after.net_g && least_g < population,
         "{population} {least_g}"

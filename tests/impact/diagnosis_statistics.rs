@@ -1,6 +1,6 @@
 //! Each statistical step of a diagnosis on a case whose answer is known.
 
-use flexframe::impact::diagnose::{DiagnosisOptions, PreparedDrops, Verdict, clipping, diagnose, trend_p};
+use flexframe::impact::diagnose::{DiagnosisOptions, HeldValue, PreparedDrops, Verdict, clipping, diagnose, held, trend_p};
 use flexframe::impact::effects::{Model, Sensor, by_id};
 use flexframe::impact::fit::{Expected, FittedDrop, MeanWave, TrialCovariance, Waves, Whitening, minimise};
 use flexframe::impact::synthetic::{Hidden, Plan, ReferenceTrajectory, ScatterLaw, TrialVariation, records};
@@ -231,4 +231,58 @@ fn planted_pair_whose_first_choice_is_wrong_is_found_all_the_same() {
     let first = found.ranking.iter().find(|one| !one.id.contains('+')).expect("singles were ranked");
     assert_eq!(first.id, "bilinear_stiffness", "the best single effect is neither of the two");
     assert_eq!(found.chosen.ids(), ["maxwell_branch", "sensor_low_pass"]);
+}
+
+/// Drops on a sensor of 500 Hz, in which something is hidden.
+fn hidden(effects: &[(&str, &[f64], usize)]) -> Plan {
+    let base = Model::load("paper-corrected").expect("the corrected model");
+    let model = effects.iter().fold(base, |model, (id, values, word)| model.with(by_id(id).expect("an effect"), values, *word));
+    Plan { model, heights_m: vec![0.5, 1.0, 1.5, 2.0], ..plan(1) }
+}
+
+fn diagnosed(effects: &[(&str, &[f64], usize)]) -> flexframe::impact::diagnose::Diagnosis {
+    let model = Model::load("paper-corrected").expect("the corrected model");
+    diagnose(&waves(&hidden(effects)), None, &model, &DiagnosisOptions::new(3, 1)).expect("a diagnosis")
+}
+
+/// Zero is the end of a damping by nature.
+#[test]
+fn planted_a_stop_without_damping_is_named() {
+    let found = diagnosed(&[("bottoming", &[8.0, 1e6, 0.0], 0)]);
+    assert_eq!((found.verdict, found.chosen.ids()), (Verdict::Named, vec!["bottoming"]), "{:?}", found.reasons);
+    let damping = found.estimates.iter().find(|one| one.key == "lambda").expect("is fitted");
+    assert!(damping.value < 0.01, "{damping:?}");
+}
+
+/// What was freed in a set of one effect is a parameter of the set of two, with its price and its interval.
+#[test]
+fn planted_a_damping_beside_its_default_is_a_parameter_of_larger_sets() {
+    let found = diagnosed(&[("bottoming", &[8.0, 1e6, 0.95], 0), ("drop_height_error", &[-0.15], 0)]);
+    assert_eq!((found.verdict, found.chosen.ids()), (Verdict::Named, vec!["bottoming", "drop_height_error"]), "{:?}", found.reasons);
+    let damping = found.estimates.iter().find(|one| one.key == "lambda").expect("is fitted");
+    assert!((damping.value - 0.95).abs() < 0.1 && damping.ci95[0] < 0.95 && 0.95 < damping.ci95[1], "{damping:?}");
+    assert_eq!(held(&found.chosen), []);
+}
+
+/// A payload that hardly rings, with the sensor on it.
+#[test]
+fn planted_a_payload_with_much_damping_is_named() {
+    let found = diagnosed(&[("payload_mode", &[0.3, 90.0, 0.4], 1)]);
+    assert_eq!((found.verdict, found.chosen.ids()), (Verdict::Named, vec!["payload_mode"]), "{:?}", found.reasons);
+    let damping = found.estimates.iter().find(|one| one.key == "zeta").expect("is fitted");
+    assert!(damping.ci95[0] < 0.4 && 0.4 < damping.ci95[1], "{damping:?}");
+    let words: Vec<HeldValue> = held(&found.chosen).iter().map(|one| one.value).collect();
+    assert_eq!(words, [HeldValue::Word("payload")]);
+}
+
+/// A damping that the drops do not tell stays at its default, and share and frequency are known less well for it.
+#[test]
+fn planted_intervals_allow_for_a_damping_that_was_not_fitted() {
+    let found = diagnosed(&[("payload_mode", &[0.3, 90.0, 0.1], 1)]);
+    assert_eq!(found.chosen.ids(), ["payload_mode"]);
+    let told: Vec<HeldValue> = held(&found.chosen).iter().map(|one| one.value).collect();
+    assert_eq!(told, [HeldValue::Default(0.05), HeldValue::Word("payload")]);
+    let share = found.estimates.iter().find(|one| one.key == "mu").expect("is fitted");
+    // 0.014 for the default alone.
+    assert!(share.ci95[1] - share.ci95[0] > 0.1, "{share:?}");
 }

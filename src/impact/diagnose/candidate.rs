@@ -46,18 +46,25 @@ impl Candidate {
         on_top.map(|listed| listed.spec.id).collect()
     }
 
-    /// Parameters on top of the base at a bound that is not their own 'off' nor the end of a physical range, in words.
+    /// Parameters on top of the base at a bound where no estimate may end, in words.
     pub fn implausible(&self) -> Vec<String> {
-        let free = self.fitted.layout.free.iter().zip(&self.fitted.minimum.at_bound).skip(2);
-        free.filter(|(free, at_bound)| **at_bound && !free.has_physical_bounds())
+        let minimum = &self.fitted.minimum;
+        let free = self.fitted.layout.free.iter().zip(minimum.at_bound.iter().zip(&minimum.at)).skip(2);
+        free.filter(|(free, (at_bound, at))| **at_bound && !free.may_end_at(**at))
             .map(|(free, _)| format!("{} of {}", free.key(), free.spec.id))
             .collect()
     }
 
+    /// The score with what parameters have to earn that have a default.
+    fn worth(&self) -> f64 {
+        let defaults = self.fitted.layout.free.iter().filter(|free| free.spec.parameters[free.at].default.is_some());
+        self.score + EARNS * defaults.count() as f64
+    }
+
     /// Fits a model from each of several starts and keeps the best.
     pub fn best(problem: &FitProblem, models: impl IntoIterator<Item = Model>) -> Option<Self> {
-        let fits = models.into_iter().filter_map(|model| problem.fit(Layout::of(model), STEPS));
-        fits.min_by(|a, b| a.chi2().total_cmp(&b.chi2())).map(Self::of)
+        let fits = models.into_iter().filter_map(|model| problem.fit(Layout::of_set(model), STEPS).map(Self::of));
+        fits.min_by(|a, b| a.worth().total_cmp(&b.worth()))
     }
 
     /// The same at its minimum, where a fit from a start ended before it.

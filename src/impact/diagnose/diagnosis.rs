@@ -106,7 +106,7 @@ impl Diagnosis {
             trend,
             not_enough: search.not_enough.as_ref(),
         });
-        let (estimates, correlations) = estimates(&chosen, &level.adequacy, prepared.clipping.as_ref())?;
+        let (estimates, correlations) = estimates(problem, &chosen, &level.adequacy, prepared.clipping.as_ref())?;
         let gaps = |candidate: &Candidate| Gaps::of(problem, fitted, held_out, candidate);
         let (before, after) = (gaps(&base)?, gaps(&chosen)?);
         let (base_points, chosen_points) = (points(problem, fitted, base.model())?, points(problem, fitted, chosen.model())?);

@@ -5,8 +5,8 @@ use nalgebra::DMatrix;
 use super::adequacy::Adequacy;
 use super::candidate::Candidate;
 use super::clipping::Clipping;
-use crate::impact::effects::SENSOR_SATURATION;
-use crate::impact::fit::{Free, NORMAL_97_5, inverse};
+use crate::impact::effects::{Listed, SENSOR_SATURATION};
+use crate::impact::fit::{FitProblem, Fitted, Free, Layout, NORMAL_97_5, inverse};
 
 /// A parameter with its interval.
 #[derive(Clone, Debug, serde::Serialize)]
@@ -27,14 +27,60 @@ pub struct EffectEstimate {
     pub at_bound: bool,
 }
 
+/// What an effect of a set has that was not fitted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HeldParameter {
+    /// Effect's id.
+    pub effect: &'static str,
+    /// Key.
+    pub key: &'static str,
+    /// Unit; 1 of words.
+    pub unit: &'static str,
+    /// What it is.
+    pub value: HeldValue,
+}
+
+/// A number or a word.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+#[serde(untagged)]
+pub enum HeldValue {
+    /// The default of a parameter.
+    Default(f64),
+    /// The word that fits best.
+    Word(&'static str),
+}
+
+/// What the effects on top of the base have that was not fitted.
+pub fn held(chosen: &Candidate) -> Vec<HeldParameter> {
+    let is_free = |effect: &str, at: usize| chosen.fitted.layout.free.iter().any(|free| free.spec.id == effect && free.at == at);
+    let of = |listed: &Listed| {
+        let spec = listed.spec;
+        let defaults = spec.parameters.iter().zip(&listed.values).enumerate();
+        let mut all: Vec<HeldParameter> = defaults
+            .filter(|(at, (parameter, _))| parameter.default.is_some() && !is_free(spec.id, *at))
+            .map(|(_, (parameter, value))| HeldParameter {
+                effect: spec.id,
+                key: parameter.key,
+                unit: parameter.unit,
+                value: HeldValue::Default(*value),
+            })
+            .collect();
+        let word = spec.choice.and_then(|choice| Some((choice.key, *choice.words.get(listed.word)?)));
+        all.extend(word.map(|(key, word)| HeldParameter { effect: spec.id, key, unit: "1", value: HeldValue::Word(word) }));
+        all
+    };
+    chosen.model().effects.iter().filter(|listed| !listed.spec.is_base()).flat_map(of).collect()
+}
+
 /// The parameters of a set with their intervals, and their correlations.
 pub(super) fn estimates(
+    problem: &FitProblem,
     chosen: &Candidate,
     adequacy: &Adequacy,
     clipping: Option<&Clipping>,
 ) -> Option<(Vec<EffectEstimate>, DMatrix<f64>)> {
     let minimum = &chosen.fitted.minimum;
-    let covariance = inverse(&(minimum.jacobian.transpose() * &minimum.jacobian))?;
+    let covariance = covariance(problem, &chosen.fitted)?;
     let sd: Vec<f64> = covariance.diagonal().iter().map(|variance| variance.max(1e-300).sqrt()).collect();
     let correlations = DMatrix::from_fn(sd.len(), sd.len(), |i, j| covariance[(i, j)] / (sd[i] * sd[j]));
     let one = |(i, free): (usize, &Free)| {
@@ -50,6 +96,20 @@ pub(super) fn estimates(
     };
     let fitted = chosen.fitted.layout.free.iter().enumerate().map(one);
     Some((fitted.chain(seen_limit(chosen, clipping)).collect(), correlations))
+}
+
+/// Of the free parameters, with how far the others of the set may be from their defaults, which no fit has told.
+fn covariance(problem: &FitProblem, fitted: &Fitted) -> Option<DMatrix<f64>> {
+    let whole = problem.fit(Layout::whole(fitted.model().clone()), 0)?;
+    let is_free = |free: &Free| fitted.layout.free.iter().any(|one| one.spec.id == free.spec.id && one.at == free.at);
+    let mut information = whole.minimum.jacobian.transpose() * &whole.minimum.jacobian;
+    for (at, free) in whole.layout.free.iter().enumerate().filter(|(_, free)| !is_free(free)) {
+        information[(at, at)] += free.default_spread().powi(-2);
+    }
+    let all = inverse(&information)?;
+    let place = |one: &Free| whole.layout.free.iter().position(|free| one.spec.id == free.spec.id && one.at == free.at);
+    let own = fitted.layout.free.iter().map(place).collect::<Option<Vec<usize>>>()?;
+    Some(DMatrix::from_fn(own.len(), own.len(), |i, j| all[(own[i], own[j])]))
 }
 
 /// The limit of a sensor that was read where readings pile up, and not fitted.

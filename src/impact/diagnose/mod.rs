@@ -48,7 +48,7 @@ pub use constancy::{ByHeight, Constancy, UNSTEADY, constancy};
 pub use covariate::{Covariate, CovariateEffect};
 pub use diagnosis::Diagnosis;
 pub use diagnosis_options::DiagnosisOptions;
-pub use effect_estimate::EffectEstimate;
+pub use effect_estimate::{EffectEstimate, HeldParameter, HeldValue, held};
 pub use experiment::Experiment;
 pub use frame_mode::FrameMode;
 pub use free_fall_reading::FreeFallReading;

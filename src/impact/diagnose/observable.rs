@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::impact::effects::Model;
 use crate::impact::fit::Waves;
-use crate::impact::measured::Spread;
+use crate::impact::measured::{LEAST_OVER_V0, Spread};
 use crate::units::GRAVITY_M_S2;
 
 /// One height.
@@ -22,6 +22,8 @@ pub struct Observable {
     pub most: f64,
     /// Whether it does, by more than two standard errors.
     pub impossible: bool,
+    /// Whether it is less, by more than two standard errors, than what stops a body that fell from there.
+    pub too_small: bool,
     /// Median over drops of the largest reading, g.
     pub median_peak_g: f64,
 }
@@ -45,6 +47,7 @@ pub fn observables(waves: &Waves, model: &Model) -> Vec<Observable> {
             error,
             most,
             impossible: impulse_over_v0 - 2.0 * error > most,
+            too_small: impulse_over_v0 + 2.0 * error < LEAST_OVER_V0,
             median_peak_g: Spread::of(peaks).map_or(0.0, |peaks| peaks.median),
         }
     };

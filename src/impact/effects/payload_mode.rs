@@ -21,6 +21,11 @@ use super::spec::{Availability, Spec, Stage, products};
 const FREQUENCIES_HZ: [f64; 16] =
     [45.0, 58.0, 72.0, 88.0, 105.0, 124.0, 144.0, 166.0, 189.0, 214.0, 240.0, 268.0, 298.0, 330.0, 365.0, 410.0];
 
+/// Frequencies of a payload that is damped much: it hardly rings, and waves are alike over wider ranges.
+const DAMPED_HZ: [f64; 7] = [45.0, 65.0, 95.0, 135.0, 190.0, 270.0, 380.0];
+/// Its damping ratio.
+const DAMPED: f64 = 0.4;
+
 /// Its record.
 pub const SPEC: Spec = Spec {
     id: "payload_mode",
@@ -66,7 +71,8 @@ pub const SPEC: Spec = Spec {
     states: &AttachedMass::STATES,
     starts: |known| {
         let own = known.frame_mode.map(|[mu, f_hz]| vec![mu, f_hz, 0.05]);
-        products(&[0.05, 0.2], &FREQUENCIES_HZ, &[0.05]).into_iter().chain(own).collect()
+        let damped = products(&[0.2], &DAMPED_HZ, &[DAMPED]);
+        products(&[0.05, 0.2], &FREQUENCIES_HZ, &[0.05]).into_iter().chain(damped).chain(own).collect()
     },
     build: |inputs| {
         let circular = 2.0 * std::f64::consts::PI * inputs.values[1];

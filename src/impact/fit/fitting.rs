@@ -18,6 +18,8 @@ const STARTS: [f64; 2] = [0.4, 2.5];
 
 /// Fewest fits to other drops whose errors say what 95 % are: of fewer, the largest error holds less.
 pub const LEAST_RESAMPLED: usize = 19;
+/// Fewest drops of a height whose resampling says how far a parameter is known: one alone is always the same.
+pub const LEAST_DROPS: usize = 4;
 
 /// Something to be made small by a model.
 pub trait Objective: Sync + Sized {
@@ -62,7 +64,7 @@ pub struct ParameterEstimate {
     pub start: f64,
     /// Where it ended.
     pub value: f64,
-    /// 95 % interval; none from fewer than [`LEAST_RESAMPLED`] fits.
+    /// 95 % interval; none from fewer than [`LEAST_RESAMPLED`] fits, nor from resampled drops where a height has fewer than [`LEAST_DROPS`].
     pub ci95: Option<[f64; 2]>,
     /// Whether it ended at a bound.
     pub at_bound: bool,
@@ -121,6 +123,7 @@ pub fn fit<O: Objective>(objective: &O, layout: &Layout, samples: usize, seed: u
         value: outward(at, best.at[at]),
         ci95: match is_simulated {
             _ if ended.len() < LEAST_RESAMPLED => None,
+            false if objective.counts().into_iter().any(|drops| drops < LEAST_DROPS) => None,
             false => Spread::middle(ended.iter().map(|other| outward(at, other.at[at])), 0.95),
             true => by_errors(at, &best, &ended).map(|ends| ends.map(|end| outward(at, end.clamp(bounds[at][0], bounds[at][1])))),
         },

@@ -55,9 +55,26 @@ impl Free {
         }
     }
 
-    /// Whether its bounds are physical limits, at which an estimate may lie.
-    pub fn has_physical_bounds(&self) -> bool {
-        self.spec.parameters[self.at].scale == Scale::Fraction
+    /// Whether an estimate may end at the bound where it lies: the ends of a share are physical limits, none of something is its natural end (no damping
+    /// where that has a default, a payload without mass that still carries the sensor).
+    pub fn may_end_at(&self, scaled: f64) -> bool {
+        let parameter = &self.spec.parameters[self.at];
+        let is_lower = scaled - self.bounds()[0] < self.step();
+        let is_none = (parameter.default.is_some() && parameter.min == 0.0) || parameter.off == Some(parameter.min);
+        parameter.scale == Scale::Fraction || (is_none && is_lower)
+    }
+
+    /// How far what has a default may be from it before anything is measured, as a standard deviation on the fit's scale: a choice, a factor of three,
+    /// or three tenths of the range.
+    pub fn default_spread(&self) -> f64 {
+        let parameter = &self.spec.parameters[self.at];
+        if self.is_logarithmic() { libm::log(3.0) } else { 0.3 * (parameter.max - parameter.min) }
+    }
+
+    /// Whether a model has another value than what it is without a fit.
+    fn is_off_its_default(&self, model: &Model) -> bool {
+        let default = self.spec.parameters[self.at].default;
+        default.zip(model.value(self.spec.id, self.key())).is_some_and(|(default, value)| default != value)
     }
 
     fn is_logarithmic(&self) -> bool {
@@ -88,6 +105,14 @@ impl Layout {
             free.extend(parameters.filter(|(_, parameter)| parameter.default.is_none()).map(|(at, _)| Free::new(listed.spec, at)));
         }
         Self { model, free }
+    }
+
+    /// The same with what has a default and not its value: a fit has found it in a smaller set, or a start asks for it. It is a parameter of this
+    /// set as of that one.
+    pub fn of_set(model: Model) -> Self {
+        let Self { model, free: mut all } = Self::whole(model);
+        all.retain(|free| free.spec.parameters[free.at].default.is_none() || free.is_off_its_default(&model));
+        Self { model, free: all }
     }
 
     /// Frees everything, defaults too.

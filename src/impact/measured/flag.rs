@@ -28,7 +28,7 @@ fn is_jolt(record: &Record, impact: &Impact) -> bool {
 }
 
 /// Impulse over v0 that a vertical drop has at least: 1, with room for variation.
-const LEAST_OVER_V0: f64 = 0.8;
+pub const LEAST_OVER_V0: f64 = 0.8;
 /// What it has at the most without its weight: 2 with full restitution.
 const MOST_OVER_V0: f64 = 2.0;
 /// A peak that is so much later than the trigger is that of another drop, ms: a rebound from some metres has ended.

@@ -63,7 +63,7 @@ pub use disk::read;
 pub use drop_table::DropTable;
 pub use fall::{Fall, RELEASE_S};
 pub use file_format::FileFormat;
-pub use flag::{Flag, flags};
+pub use flag::{Flag, LEAST_OVER_V0, flags};
 #[cfg(feature = "cli")]
 pub use folds::read_folds;
 pub use folds::{FoldReading, fold_readings};

@@ -151,9 +151,8 @@ fn warnings(system: &System, trace: &Trace, events: &Events) -> Vec<ValidityWarn
     if let Some((t_s, y, _)) = events.gap {
         warnings.push(ValidityWarning::PastGap { gap_mm: system.body.gap_m * 1e3, t_ms: t_s * 1e3, speed_m_s: y[1] });
     }
-    if let (Some(x_m), Some(travel_m)) = (trace.max_displacement_m, system.body.travel_m)
-        && x_m > travel_m
-    {
+    let x_m = trace.max_displacement_m.unwrap_or_else(|| deepest_m(trace));
+    if let Some(travel_m) = system.body.travel_m.filter(|travel_m| x_m > *travel_m) {
         warnings.push(ValidityWarning::PastTravel { x_mm: x_m * 1e3, travel_mm: travel_m * 1e3 });
     }
     match trace.contact_s {
@@ -168,11 +167,17 @@ fn warnings(system: &System, trace: &Trace, events: &Events) -> Vec<ValidityWarn
     warnings
 }
 
+/// The largest compression that was followed, m.
+fn deepest_m(trace: &Trace) -> f64 {
+    trace.x_m.iter().copied().fold(0.0, f64::max)
+}
+
 /// Effects that do not hold where the drop went.
 fn effects_outside(system: &System, trace: &Trace, events: &Events) -> Vec<ValidityWarning> {
     let reach = Reach {
         impact_speed_m_s: trace.impact_speed_m_s,
-        deepest_m: trace.max_displacement_m.unwrap_or(0.0),
+        // Where it never turns back, as far as it was followed.
+        deepest_m: trace.max_displacement_m.unwrap_or_else(|| deepest_m(trace)),
         above_ground: trace.x_m.iter().any(|x_m| *x_m < 0.0),
         contact_s: trace.contact_s,
         released_at_m: events.release.map(|(_, y, _)| y[0]),

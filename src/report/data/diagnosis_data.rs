@@ -6,10 +6,12 @@ use serde_json::{Map, Value, json};
 
 use super::drop_data;
 use super::landing_data;
+use crate::figures::{PARAMETER_DIGITS, significant};
 use crate::impact::diagnose::{
-    Adequacy, ByHeight, CovariateEffect, Diagnosis, EffectEstimate, FrameMode, Gap, Gaps, Ranked, StaticComparison, Verdict,
+    Adequacy, ByHeight, CovariateEffect, Diagnosis, EffectEstimate, FrameMode, Gap, Gaps, HeldParameter, HeldValue, Ranked,
+    StaticComparison, Verdict, held,
 };
-use crate::impact::effects::{LINEAR_DAMPER, LINEAR_SPRING};
+use crate::impact::effects::{LINEAR_DAMPER, LINEAR_SPRING, by_id};
 use crate::impact::fit::{Decimation, LeftOut};
 use crate::impact::landing::LandingAssessment;
 use crate::impact::measured::RELEASE_S;
@@ -183,10 +185,28 @@ fn estimates<'a>(diagnosis: &'a Diagnosis, effects: &[&str]) -> BTreeMap<&'a str
     diagnosis.estimates.iter().filter(|estimate| effects.contains(&estimate.effect)).map(|estimate| (estimate.key, estimate)).collect()
 }
 
+/// What the effects of the estimates have that was not fitted, as rows: name, value, and why there is no interval.
+pub fn held_rows(diagnosis: &Diagnosis) -> Vec<[String; 3]> {
+    let is_told = |one: &HeldParameter| diagnosis.estimates.iter().any(|estimate| estimate.effect == one.effect);
+    let row = |one: HeldParameter| {
+        let (value, why) = match one.value {
+            HeldValue::Default(value) => (significant(value, PARAMETER_DIGITS), "its default, not fitted: intervals allow for others"),
+            HeldValue::Word(word) => (word.to_string(), ""),
+        };
+        [format!("{}.{}", one.effect, one.key), value, why.into()]
+    };
+    held(&diagnosis.chosen).into_iter().filter(is_told).map(row).collect()
+}
+
 /// The effects of the chosen set; none where nothing is missing.
 fn effects(diagnosis: &Diagnosis) -> Value {
     let named = diagnosis.contributions.iter().filter(|_| diagnosis.verdict != Verdict::NothingMissing);
-    named.map(|(id, taken)| json!({ "id": id, "parameters": estimates(diagnosis, &[id]), "contribution": taken })).collect()
+    let held = held(&diagnosis.chosen);
+    let held_of =
+        |id: &str| -> BTreeMap<&str, HeldValue> { held.iter().filter(|one| one.effect == id).map(|one| (one.key, one.value)).collect() };
+    named
+        .map(|(id, taken)| json!({ "id": id, "parameters": estimates(diagnosis, &[id]), "held": held_of(id), "contribution": taken }))
+        .collect()
 }
 
 /// Spring and damper before and after, and the body.
@@ -214,6 +234,9 @@ fn correlations(diagnosis: &Diagnosis) -> Value {
     json!({ "of": of, "matrix": rounded(matrix) })
 }
 
+/// Of a ground that does not pull.
+const UNILATERAL_CONTACT: &str = "unilateral_contact";
+
 /// The model after as a file. The verdict stands in comments above it, and where landings that are not level decide, what such a file cannot state.
 pub fn model_file(diagnosis: &Diagnosis, compared: &Compared) -> String {
     let decided = compared.landing.as_ref().filter(|landing| landing.decides());
@@ -223,12 +246,18 @@ pub fn model_file(diagnosis: &Diagnosis, compared: &Compared) -> String {
             landing_data::spread(landing)
         )
     });
-    in_comments(diagnosis.verdict, &diagnosis.reasons) + &note + &diagnosis.model_after.to_toml()
+    let model = &diagnosis.model_after;
+    let lifted =
+        by_id(UNILATERAL_CONTACT).filter(|contact| decided.is_some() && !model.effects.iter().any(|listed| listed.spec.id == contact.id));
+    // The fitted legs never pull.
+    let model = lifted.map_or_else(|| model.clone(), |contact| model.clone().with(contact, &[0.0], 0));
+    in_comments(diagnosis.verdict, &diagnosis.reasons, decided.is_some()) + &note + &model.to_toml()
 }
 
 /// What the model of a file is, by the verdict: one line where it explains the drops, or else the reasons, too.
-fn in_comments(verdict: Verdict, reasons: &[String]) -> String {
+fn in_comments(verdict: Verdict, reasons: &[String], landings_decide: bool) -> String {
     let is = match verdict {
+        Verdict::Named if landings_decide => "landings on one foot first explain the drops; of them this file has the legs only",
         Verdict::NothingMissing => "the model as it was given, with k and c fitted, explains the drops",
         Verdict::Named => "this model has the effects that were named, and explains the drops",
         Verdict::Ambiguous => "this is the best supported of several explanations that the drops do not distinguish",
@@ -316,7 +345,7 @@ mod tests {
         let model = Model::load("paper").expect("comes with the program");
         let reasons = ["k ended at its bound".to_string(), "session `mon\nmass_kg = 1` differs".to_string()];
         for (verdict, lines) in [(Verdict::NothingMissing, 1), (Verdict::Named, 1), (Verdict::Ambiguous, 3), (Verdict::NoneSuffices, 3)] {
-            let head = in_comments(verdict, &reasons);
+            let head = in_comments(verdict, &reasons, false);
             assert!(head.starts_with(&format!("# verdict: {}: ", verdict.id())), "{head}");
             assert!(head.lines().count() == lines && head.lines().all(|line| line.starts_with("# ")), "{head}");
             let file = ImpactFile::parse("model.toml", &(head + &model.to_toml())).expect("is TOML");

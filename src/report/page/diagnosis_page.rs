@@ -8,6 +8,7 @@ use crate::impact::diagnose::{CovariateEffect, Diagnosis, Gap, Point, Verdict, j
 use crate::impact::request::{Compared, SeparatingExperiment};
 use crate::report::chart::lines::{Lines, Series, emptiest_corner};
 use crate::report::chart::plot::{self, PlotError};
+use crate::report::data::diagnosis_data::held_rows;
 use crate::report::page::document::Block;
 
 /// Title of the page.
@@ -58,7 +59,11 @@ fn drops(diagnosis: &Diagnosis, compared: &Compared) -> Vec<Block> {
         .observables
         .iter()
         .map(|one| {
-            let possible = if one.impossible { "impossible for a vertical impact" } else { "possible" };
+            let possible = match (one.impossible, one.too_small) {
+                (true, _) => "impossible for a vertical impact",
+                (_, true) => "less than stops a body from there: another height or another scale?",
+                _ => "possible",
+            };
             vec![
                 format!("{}", one.height_m),
                 one.drops.to_string(),
@@ -294,6 +299,7 @@ fn estimates(diagnosis: &Diagnosis) -> Vec<Block> {
                 format!("{} to {}", significant(low, PARAMETER_DIGITS), significant(high, PARAMETER_DIGITS)),
             ]
         })
+        .chain(held_rows(diagnosis).into_iter().map(|[name, value, why]| vec![name, value, String::new(), why]))
         .collect();
     let mut lines = Vec::new();
     for i in 0..diagnosis.correlations.nrows() {

@@ -20,7 +20,7 @@ import type { Dropped } from "./state/dropped.ts";
 import { dropped } from "./state/dropped.ts";
 import { complain, notice, quiet } from "./state/notice.ts";
 import { openFrame } from "./state/opening.ts";
-import { computing, findings, frame, refused } from "./state/studio.ts";
+import { computing, frame, refused, violations } from "./state/studio.ts";
 import { LastGood } from "./ui/last_good.tsx";
 import { Tabs } from "./ui/tabs.tsx";
 import { join, laying } from "./view/scene_state.ts";
@@ -38,7 +38,12 @@ const PANELS: { id: typeof right.value; words: string; of: ComponentType; result
 /** Whether the fields cannot show what the frame file states, as it is no TOML. */
 const isUnread = computed(() => refused.value?.editable === false);
 
-const violations = computed(() => findings.value?.of.filter(({ verdict }) => verdict === "violated").length ?? 0);
+/** The panels' names, with how many limits are violated. */
+const tabs = computed(() =>
+  PANELS.map((panel) =>
+    panel.id === "checks" && violations.value > 0 ? { ...panel, words: `Checks (${violations.value})` } : panel,
+  ),
+);
 
 /** Text that is dragged is for the fields. */
 function holdsFiles(event: DragEvent): boolean {
@@ -114,7 +119,7 @@ export function App() {
         <h2 class="hidden" id="head-right">
           Know the frame
         </h2>
-        <Tabs name="What is known" panel="panel-right" tabs={PANELS} at={right} />
+        <Tabs name="What is known" panel="panel-right" tabs={tabs.value} at={right} />
         <div class="scroll" id="panel-right" role="tabpanel" aria-labelledby={`tab-${right.value}`} tabIndex={0}>
           {results && <LastGood />}
           <Panel />

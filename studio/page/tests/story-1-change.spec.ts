@@ -202,6 +202,7 @@ test("what is being typed into a field stays when a result arrives, and is taken
   await settled(page);
   await expect(page.getByText("changed (1)")).toBeVisible();
   await expect(strut).not.toHaveValue("51.2");
+  await expect(field.locator(".fault")).toHaveCount(0);
   // A name that is none is taken back, too.
   const name = page.getByLabel("Name of the frame's file");
   await name.fill("Mein Rahmen");

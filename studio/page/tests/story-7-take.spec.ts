@@ -6,7 +6,7 @@ import { join, relative } from "node:path";
 import type { Page } from "@playwright/test";
 import { unzipSync } from "fflate";
 import { hasComment } from "../src/state/doc.ts";
-import { drag, expect, mass, program, settled, shot, start, test } from "./studio.ts";
+import { checked, drag, expect, mass, program, settled, shot, start, test } from "./studio.ts";
 
 const PRESETS = ["cognifly", "cognifly-v8", "cognifly-1106", "cognifly-bamboo", "cognifly-mini", "cognifly-2s2000"];
 
@@ -210,6 +210,12 @@ test("a frame file of one's own is opened or dragged in, its differences are aga
   await expect(page.getByText("changed (0)")).toBeVisible();
   await drag(page, "canvas", [{ name: "v8.toml", text: 'base = "cognifly-v8"\nlimits.mass_budget_g = 240.0\n' }]);
   await expect(page.getByLabel("Preset")).toHaveValue("cognifly-v8");
+  await drag(page, "canvas", [{ name: "Küche Rahmen (1).toml", text: 'base = "cognifly-v8"\n' }]);
+  await expect(page.getByLabel("Name of the frame's file")).toHaveValue("Kuche-Rahmen-1");
+  await checked(page);
+  await page.getByRole("tab", { name: "Files" }).click();
+  await page.getByRole("button", { name: "Show them" }).click();
+  await expect(page.getByRole("tab", { name: /^Checks \(\d+\)$/ })).toHaveAttribute("aria-selected", "true");
   await settled(page);
   await expect(page.locator("[data-gauge=mass]")).toContainText("of 240 g");
 });

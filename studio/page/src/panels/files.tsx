@@ -6,7 +6,8 @@ import type { Doc } from "../state/doc.ts";
 import { hasComment, isUnchanged } from "../state/doc.ts";
 import { complain, quiet, tell } from "../state/notice.ts";
 import { openFrame } from "../state/opening.ts";
-import { changedKeys, doc, frame, pending, refused, shownDoc, valueOf } from "../state/studio.ts";
+import { changedKeys, doc, frame, pending, refused, shownDoc, valueOf, violations } from "../state/studio.ts";
+import { right } from "../state/focus.ts";
 import { asChanged, download, made, save, saveText } from "../state/downloads.ts";
 import { Work } from "../state/work.ts";
 import { Progress } from "../ui/progress.tsx";
@@ -20,7 +21,7 @@ const KINDS: { which: string; words: string }[] = [
   { which: "instructions", words: "Assembly instructions (PDF)" },
   { which: "fold", words: "Assembly steps (JSON)" },
   { which: "report", words: "Report with pictures, how to print (Markdown, ZIP)" },
-  { which: "folder", words: "Everything, with report and pictures (ZIP)" },
+  { which: "folder", words: "Folder of flexframe build: parts, plates, report, pictures (ZIP)" },
 ];
 
 const work = new Work<string>();
@@ -54,6 +55,15 @@ export function Files() {
           of <code>flexframe fold {given.value}</code>.
         </p>
       )}
+      {violations.value > 0 && (
+        <p class="caution" role="status">
+          {violations.value === 1 ? "One limit is" : `${violations.value} limits are`} violated. The files are made all
+          the same.{" "}
+          <button type="button" class="link" onClick={() => (right.value = "checks")}>
+            Show {violations.value === 1 ? "it" : "them"}
+          </button>
+        </p>
+      )}
       <div class="stack">
         <button type="button" onClick={() => void saveText()}>
           Frame file ({doc.value.name}.toml)
@@ -73,7 +83,7 @@ export function Files() {
               <button
                 type="button"
                 class="link"
-                disabled={held.value}
+                disabled={held.value || work.running.value}
                 onClick={() => void work.run(async () => (await one(part), part))}
               >
                 {part}.stl

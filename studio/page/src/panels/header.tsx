@@ -15,6 +15,11 @@ function isTyping(field: EventTarget | null): boolean {
   return isText && field.dataset["typed"] !== "false";
 }
 
+/** What a preset's file says of it. */
+function described(text: string): string | undefined {
+  return /^description\s*=\s*"([^"\\]*)"/m.exec(text)?.[1];
+}
+
 // Tabs of the browser are told apart by their frames.
 effect(() => {
   document.title = `${doc.value.name} – flexframe studio`;
@@ -42,7 +47,7 @@ export function Header() {
     // The name stays, and the field shows it.
     field.value = doc.value.name;
     complain(
-      `“${name.slice(0, 80)}” is no name of a file: it has letters, digits, “-”, “_” and “.”, 64 at the most, and does not begin with “.”.`,
+      `“${name.slice(0, 80)}” is no name of a file: it has letters, digits, “-”, “_” and “.”, 100 at the most, and does not begin with “.”.`,
     );
   };
   return (
@@ -55,9 +60,9 @@ export function Header() {
           value={doc.value.preset}
           onChange={(event) => take(ofPreset(event.currentTarget.value))}
         >
-          {presets.value?.frames.map(({ name }) => (
+          {presets.value?.frames.map(({ name, text }) => (
             <option key={name} value={name}>
-              {name}
+              {[name, described(text)].filter(Boolean).join(" – ")}
             </option>
           ))}
         </select>

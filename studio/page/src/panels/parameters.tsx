@@ -48,7 +48,12 @@ export function Parameters() {
       <Unreadable />
       <fieldset class="plain" disabled={refused.value?.editable === false}>
         {choices.length > 0 && (
-          <Group id={CHOICES} title="Bought parts, materials, printer, sleeve" found={open}>
+          <Group
+            id={CHOICES}
+            title="Bought parts, materials, printer, sleeve"
+            changed={choices.filter(({ key }) => changedKeys.value.has(key)).length}
+            found={open}
+          >
             {() => choices.map((choice) => <ChoiceField key={choice.key} choice={choice} />)}
           </Group>
         )}

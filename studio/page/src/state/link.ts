@@ -43,7 +43,14 @@ export function fromFragment(fragment: string, known: { presets: string[]; keys:
   return { preset, name, set };
 }
 
+/** The nearest name that can be a file's: letters without their marks, and `-` for what is none; `null` where nothing is left. */
+export function nearestName(name: string): string | null {
+  const plain = name.normalize("NFD").replace(/\p{M}/gu, "");
+  const joined = plain.replace(/[^A-Za-z0-9._-]+/g, "-").replace(/^[.-]+|-+$/g, "");
+  return plainName(joined.slice(0, 100));
+}
+
 /** A name that can be a file's; `null` for any other. */
 export function plainName(name: string): string | null {
-  return /^[A-Za-z0-9_-][A-Za-z0-9._-]{0,63}$/.test(name) ? name : null;
+  return /^[A-Za-z0-9_-][A-Za-z0-9._-]{0,99}$/.test(name) ? name : null;
 }

@@ -1,8 +1,8 @@
 // A frame file of the user's: one file, on a preset.
 import { baseName } from "./doc.ts";
 import { left } from "./focus.ts";
-import { plainName } from "./link.ts";
-import { complain } from "./notice.ts";
+import { nearestName, plainName } from "./link.ts";
+import { complain, tell } from "./notice.ts";
 import { latest, presets, take } from "./studio.ts";
 
 /** More than any frame file has, bytes. */
@@ -52,9 +52,8 @@ export async function openFrame(files: File[]): Promise<void> {
     return;
   }
   left.value = "text";
-  take({
-    preset: preset ?? latest().preset,
-    name: plainName(file.name.replace(/\.toml$/i, "")) ?? "opened",
-    text,
-  });
+  const given = file.name.replace(/\.toml$/i, "");
+  const name = plainName(given) ?? nearestName(given) ?? "opened";
+  take({ preset: preset ?? latest().preset, name, text });
+  if (name !== given) tell(`The frame is called “${name}”: a frame's name has letters, digits, “-”, “_” and “.” only.`);
 }

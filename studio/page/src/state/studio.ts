@@ -36,6 +36,10 @@ export const computing = signal(false);
 export const pending = signal<Record<string, Setting | null>>({});
 /** What the checks found; `strength`: with the drop by the frame's own mechanics. */
 export const findings = signal<{ of: Finding[]; all: boolean; strength: boolean; identity: string } | null>(null);
+/** How many limits are violated, as far as is known. */
+export const violations = computed(
+  () => findings.value?.of.filter(({ verdict }) => verdict === "violated").length ?? 0,
+);
 /** Whether the drop by the frame's own mechanics is asked for after all checks: it takes as long as they do. */
 export const withStrength = signal(false);
 /** Why it could not be computed. */

@@ -1,5 +1,6 @@
 // A number as a slider with a field beside it. The field takes what is typed when it is left or Enter is pressed.
 import { useSignal } from "@preact/signals";
+import { useEffect } from "preact/hooks";
 import { short } from "./words.ts";
 
 const NUMBER = /^[+-]?(\d+[.,]?\d*|[.,]\d+)(e[+-]?\d+)?$/i;
@@ -51,6 +52,10 @@ export function Slider({
     untaken.value = number === null && typed.trim() !== "" ? typed.trim().slice(0, 40) : null;
     if (number !== null) onInput(number);
   };
+  // What was typed has nothing to do with another value.
+  useEffect(() => {
+    untaken.value = null;
+  }, [value]);
   const spoken = unit === "°" ? "degrees" : unit;
   const named = [name, spoken].filter(Boolean).join(", ");
   return (
