@@ -278,7 +278,7 @@ fn planted_a_payload_with_much_damping_is_named() {
 /// A damping that the drops do not tell stays at its default, and share and frequency are known less well for it.
 #[test]
 fn planted_intervals_allow_for_a_damping_that_was_not_fitted() {
-    let found = diagnosed(&[("payload_mode", &[0.3, 90.0, 0.1], 1)]);
+    let found = diagnosed(&[("payload_mode", &[0.3, 90.0, 0.06], 1)]);
     assert_eq!(found.chosen.ids(), ["payload_mode"]);
     let told: Vec<HeldValue> = held(&found.chosen).iter().map(|one| one.value).collect();
     assert_eq!(told, [HeldValue::Default(0.05), HeldValue::Word("payload")]);

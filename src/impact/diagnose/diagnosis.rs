@@ -57,6 +57,8 @@ pub struct Diagnosis {
     pub base_points: Vec<Point>,
     /// Samples with the chosen model's prediction.
     pub chosen_points: Vec<Point>,
+    /// Samples of the heights that no fit saw, with the predictions of base and chosen model.
+    pub held_out_points: [Vec<Point>; 2],
     /// p-values of the base's residual.
     pub base_adequacy: Adequacy,
     /// p-values of the chosen model's residual.
@@ -110,6 +112,8 @@ impl Diagnosis {
         let gaps = |candidate: &Candidate| Gaps::of(problem, fitted, held_out, candidate);
         let (before, after) = (gaps(&base)?, gaps(&chosen)?);
         let (base_points, chosen_points) = (points(problem, fitted, base.model())?, points(problem, fitted, chosen.model())?);
+        let unseen = |model: &Model| held_out.map_or(Some(Vec::new()), |waves| points(problem, waves, model));
+        let held_out_points = [unseen(base.model())?, unseen(chosen.model())?];
         let larger = || search.levels.get(1).and_then(|level| level.candidates.iter().find(|other| other.ids() != chosen.ids()));
         let rival = alternatives.get(1).map(|alternative| &alternative.candidate).or_else(larger);
         let experiments = rival.map_or_else(Vec::new, |rival| experiments(problem, &prepared.trial_covariance, &chosen, rival));
@@ -128,10 +132,11 @@ impl Diagnosis {
             residual_map: residual_map(&base_points)?,
             base_points,
             chosen_points,
+            held_out_points,
             base_adequacy: search.levels[0].adequacy.clone(),
             adequacy: level.adequacy.clone(),
             trend_p: trend,
-            observables: observables(fitted, model),
+            observables: [Some(fitted), held_out].into_iter().flatten().flat_map(|waves| observables(waves, model)).collect(),
             clipping: prepared.clipping,
             residual_force,
             experiments,

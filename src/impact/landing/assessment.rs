@@ -8,7 +8,7 @@ use super::chosen_model::ChosenModel;
 use super::evidence::TouchEvidence;
 use super::fitting::{LandingFit, LandingProblem};
 use super::foot_mode::FOOT_MODE;
-use super::gaps::{LandingGaps, as_read, gaps_of_one_height, held_out_ci95_g, held_out_gaps, left_out_gaps};
+use super::gaps::{LandingGaps, Window, as_read, gaps_of_one_height, held_out_ci95_g, held_out_gaps, left_out_gaps};
 use super::gate::Gate;
 use super::landing_evidence::LandingEvidence;
 use super::landing_scatter::LandingScatter;
@@ -92,7 +92,9 @@ pub struct LandingAssessment {
     /// The tests.
     pub gates: Vec<Gate>,
     /// Mean windows: height, measured, predicted by the population, g.
-    pub windows: Vec<(f64, Vec<f64>, Vec<f64>)>,
+    pub windows: Vec<Window>,
+    /// The same of heights that no fit saw.
+    pub held_out_windows: Vec<Window>,
     /// Time between their samples, s.
     pub step_s: f64,
     /// Delays of the opposite foot and of those beside of every drop whose feet were all seen, s, by height, m.
@@ -117,10 +119,10 @@ impl LandingAssessment {
         let problem = chosen.at(&whitened);
         let predicted = problem.mean_windows(&fit.legs, &fit.slopes)?;
         let touched = TouchEvidence::of(evidence.observed, evidence.seed);
-        let gaps = match &held {
+        let (gaps, held_out_windows) = match &held {
             Some((waves, touches)) => held_out_gaps(&problem, evidence.fitted, &fit, waves, touches, evidence.seed)?,
-            None if evidence.fitted.groups.len() < 2 => gaps_of_one_height(&problem, evidence.fitted, &fit)?,
-            None => left_out_gaps(&problem, evidence.fitted, &fit, evidence.seed)?,
+            None if evidence.fitted.groups.len() < 2 => (gaps_of_one_height(&problem, evidence.fitted, &fit)?, Vec::new()),
+            None => (left_out_gaps(&problem, evidence.fitted, &fit, evidence.seed)?, Vec::new()),
         };
         let may_be = uncertainty.drawn(&problem, &fit, DRAWN, evidence.seed)?;
         let held_out_ci95_g = held.as_ref().and_then(|(waves, _)| held_out_ci95_g(&problem, waves, &may_be));
@@ -174,6 +176,7 @@ impl LandingAssessment {
             attitude,
             gates: Vec::new(),
             windows,
+            held_out_windows,
             step_s: evidence.fitted.step_s,
             touches: touches.collect(),
             decides: false,

@@ -55,7 +55,7 @@ impl ChosenModel {
         // How far single drops of heights that no fit saw lie from what their touches predict, g.
         let unseen_g = |problem: &LandingProblem, fit: &LandingFit| {
             let (waves, unseen) = held?;
-            Some(held_out_gaps(problem, evidence.fitted, fit, waves, unseen, evidence.seed)?.given_touches.records_g)
+            Some(held_out_gaps(problem, evidence.fitted, fit, waves, unseen, evidence.seed)?.0.given_touches.records_g)
         };
         let refused = more.as_ref().and_then(|(problem, fit)| RefusedEffect::of([(problem, fit), (&rigid, &first)], unseen_g));
         let (problem, fit) = more.filter(|_| refused.is_none()).unwrap_or((rigid, first));

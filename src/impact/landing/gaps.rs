@@ -143,7 +143,10 @@ pub(super) fn gaps_of_one_height(problem: &LandingProblem, waves: &Waves, fit: &
     })
 }
 
-/// At heights that were named for it.
+/// A height, m, with its mean wave and the predicted one, g.
+pub type Window = (f64, Vec<f64>, Vec<f64>);
+
+/// At heights that were named for it, with their waves.
 pub fn held_out_gaps(
     problem: &LandingProblem,
     fitted: &Waves,
@@ -151,14 +154,16 @@ pub fn held_out_gaps(
     held: &Waves,
     touches: &ObservedLandings,
     seed: u64,
-) -> Option<LandingGaps> {
+) -> Option<(LandingGaps, Vec<Window>)> {
     let waves = waves_of(problem, held);
     let touches = as_read(problem, fit, held, touches)?;
     let other = LandingProblem { waves: &waves, observed: &touches, ..problem.clone() };
     let likely = problem.likely_slopes(fit)?;
     let unseen: Option<Vec<Unseen>> =
         held.groups.iter().enumerate().map(|(height, group)| Unseen::of(&other, group, height, fit, &likely, seed)).collect();
-    Some(gaps_of(&unseen?, fitted_gap(problem, fitted, fit)?))
+    let unseen = unseen?;
+    let windows = unseen.iter().map(|one| (one.group.height_m, one.group.mean.clone(), one.predicted.clone())).collect();
+    Some((gaps_of(&unseen, fitted_gap(problem, fitted, fit)?), windows))
 }
 
 /// Touches of heights that no fit saw, with how they are read there.

@@ -169,7 +169,18 @@ fn waves(diagnosis: &Diagnosis) -> Result<Vec<Block>, PlotError> {
     heights.dedup();
     for height_m in &heights {
         let caption = format!("Mean wave from {height_m} m with the model before and after.");
-        blocks.push(figure(&format!("wave-{height_m}-m"), &wave_chart(diagnosis, *height_m), caption)?);
+        blocks.push(figure(
+            &format!("wave-{height_m}-m"),
+            &wave_chart([&diagnosis.base_points, &diagnosis.chosen_points], *height_m, ""),
+            caption,
+        )?);
+    }
+    let [base, chosen] = &diagnosis.held_out_points;
+    let mut unseen: Vec<f64> = base.iter().map(|point| point.height_m).collect();
+    unseen.dedup();
+    for height_m in unseen {
+        let caption = format!("Mean wave from {height_m} m, which no fit saw, with the model before and after.");
+        blocks.push(figure(&format!("wave-{height_m}-m"), &wave_chart([base, chosen], height_m, ", held out"), caption)?);
     }
     for (when, points) in [("before", &diagnosis.base_points), ("after", &diagnosis.chosen_points)] {
         let caption = format!("Residual {when}, in standard errors of the mean wave.");
@@ -180,10 +191,10 @@ fn waves(diagnosis: &Diagnosis) -> Result<Vec<Block>, PlotError> {
 
 /// Mean wave of a height with the models before and after. All at the times of the base model's first touch: samples are compared by their place
 /// behind the trigger, whatever the onset of a model.
-fn wave_chart(diagnosis: &Diagnosis, height_m: f64) -> Lines {
+fn wave_chart([base, chosen]: [&Vec<Point>; 2], height_m: f64, held_out: &str) -> Lines {
     let of = |points: &[Point], value: &dyn Fn(&Point) -> f64| -> Vec<(f64, f64)> {
         let own = |points: &&Point| points.height_m == height_m;
-        let times_ms = diagnosis.base_points.iter().filter(own).map(|point| point.t_ms);
+        let times_ms = base.iter().filter(own).map(|point| point.t_ms);
         times_ms.zip(points.iter().filter(own).map(value)).collect()
     };
     let line = |label: &str, colour: usize, width: u32, marked: bool, points: Vec<(f64, f64)>| Series {
@@ -195,13 +206,13 @@ fn wave_chart(diagnosis: &Diagnosis, height_m: f64) -> Lines {
         points,
     };
     Lines {
-        title: format!("Mean wave from {height_m} m"),
+        title: format!("Mean wave from {height_m} m{held_out}"),
         across: "time from first touch in the model before, ms",
         up: "acceleration, g",
         series: vec![
-            line("measured", 6, 1, true, of(&diagnosis.base_points, &|point| point.measured_g)),
-            line("before", 1, 2, false, of(&diagnosis.base_points, &|point| point.model_g)),
-            line("after", 0, 2, false, of(&diagnosis.chosen_points, &|point| point.model_g)),
+            line("measured", 6, 1, true, of(base, &|point| point.measured_g)),
+            line("before", 1, 2, false, of(base, &|point| point.model_g)),
+            line("after", 0, 2, false, of(chosen, &|point| point.model_g)),
         ],
         levels: Vec::new(),
         left: Vec::new(),

@@ -17,10 +17,13 @@ const UP: &str = "acceleration, g";
 pub(super) fn figures(assessment: &LandingAssessment, diagnosis: &Diagnosis) -> Result<Vec<Block>, PlotError> {
     let step_ms = 1e3 * assessment.step_s;
     let mut blocks = Vec::new();
-    for (height_m, measured, predicted) in &assessment.windows {
-        let level: Vec<f64> = diagnosis.base_points.iter().filter(|point| point.height_m == *height_m).map(|point| point.model_g).collect();
+    let fitted = assessment.windows.iter().map(|window| (window, ""));
+    let held_out = assessment.held_out_windows.iter().map(|window| (window, ", held out"));
+    for ((height_m, measured, predicted), held_out) in fitted.chain(held_out) {
+        let points = diagnosis.base_points.iter().chain(&diagnosis.held_out_points[0]);
+        let level: Vec<f64> = points.filter(|point| point.height_m == *height_m).map(|point| point.model_g).collect();
         let chart = Lines {
-            title: format!("Mean wave from {height_m} m: level, and with random slopes"),
+            title: format!("Mean wave from {height_m} m{held_out}: level, and with random slopes"),
             across: ACROSS,
             up: UP,
             series: vec![
@@ -32,7 +35,8 @@ pub(super) fn figures(assessment: &LandingAssessment, diagnosis: &Diagnosis) -> 
             left: Vec::new(),
             legend: SeriesLabelPosition::UpperRight,
         };
-        let caption = format!("Mean wave from {height_m} m, the base model's, and the mean of landings with random slopes.");
+        let unseen = if held_out.is_empty() { "" } else { " No fit saw this height." };
+        let caption = format!("Mean wave from {height_m} m, the base model's, and the mean of landings with random slopes.{unseen}");
         blocks.push(figure(&format!("landing-{height_m}-m"), &chart, caption)?);
     }
     for (at, spread) in assessment.spreads.iter().enumerate() {

@@ -210,14 +210,14 @@ test("a frame file of one's own is opened or dragged in, its differences are aga
   await expect(page.getByText("changed (0)")).toBeVisible();
   await drag(page, "canvas", [{ name: "v8.toml", text: 'base = "cognifly-v8"\nlimits.mass_budget_g = 240.0\n' }]);
   await expect(page.getByLabel("Preset")).toHaveValue("cognifly-v8");
+  await settled(page);
+  await expect(page.locator("[data-gauge=mass]")).toContainText("of 240 g");
   await drag(page, "canvas", [{ name: "Küche Rahmen (1).toml", text: 'base = "cognifly-v8"\n' }]);
   await expect(page.getByLabel("Name of the frame's file")).toHaveValue("Kuche-Rahmen-1");
   await checked(page);
   await page.getByRole("tab", { name: "Files" }).click();
   await page.getByRole("button", { name: "Show them" }).click();
   await expect(page.getByRole("tab", { name: /^Checks \(\d+\)$/ })).toHaveAttribute("aria-selected", "true");
-  await settled(page);
-  await expect(page.locator("[data-gauge=mass]")).toContainText("of 240 g");
 });
 
 test("a frame file of Windows, or with its table in a line, is read as any other", async ({ page }) => {
