@@ -1,22 +1,32 @@
-// Undo and redo of documents. Quick changes of one value after another are one step.
+// Undo and redo of documents. Changes of one gesture, such as a drag of a slider, are one step.
 import { computed, signal } from "@preact/signals";
 import type { Doc } from "./doc.ts";
 
-/** Changes of the same group within this are one, ms. */
+/** A change of the same value or text within this after the last one goes on with its gesture, ms. */
 const TOGETHER_MS = 900;
 const LONGEST = 200;
 
 export class History {
   #docs = signal<Doc[]>([]);
   #at = signal(-1);
-  #last = { group: "" as string | null, at: -Infinity };
+  /** What was changed last, and when, by the hand: a result may come much later. */
+  #input = { group: null as string | null, at: -Infinity, gesture: 0 };
+  /** The gesture that the last step is of. */
+  #last = 0;
   readonly canUndo = computed(() => this.#at.value > 0);
   readonly canRedo = computed(() => this.#at.value < this.#docs.value.length - 1);
 
-  record(doc: Doc, group: string | null): void {
-    const now = performance.now();
-    const together = group !== null && group === this.#last.group && now - this.#last.at < TOGETHER_MS;
-    this.#last = { group, at: now };
+  /** The gesture that a change of a value or text belongs to; without a group it is one of its own. */
+  gesture(group: string | null): number {
+    const at = performance.now();
+    const goesOn = group !== null && group === this.#input.group && at - this.#input.at < TOGETHER_MS;
+    this.#input = { group, at, gesture: this.#input.gesture + (goesOn ? 0 : 1) };
+    return this.#input.gesture;
+  }
+
+  record(doc: Doc, gesture: number): void {
+    const together = gesture === this.#last;
+    this.#last = gesture;
     const kept = this.#docs.value.slice(0, this.#at.value + (together && this.#at.value > 0 ? 0 : 1));
     const top = kept.at(-1);
     const same = top && top.text === doc.text && top.name === doc.name && top.preset === doc.preset;
@@ -37,7 +47,7 @@ export class History {
   #step(by: number): Doc | undefined {
     const doc = this.#docs.value[this.#at.value + by];
     if (doc) this.#at.value += by;
-    this.#last.group = "";
+    this.#last = 0;
     return doc;
   }
 }

@@ -99,6 +99,8 @@ type Wanted = {
   onTop: boolean;
   record: boolean;
   group: string | null;
+  /** Changes of one gesture are one step of undo. */
+  gesture: number;
   begun: number;
   /** Whether it is the frame of a link. */
   linked?: boolean;
@@ -131,20 +133,21 @@ export function set(values: Record<string, Setting | null>): void {
   replaced.value += 1;
   const group = entries.length === 1 ? (entries[0]?.[0] ?? null) : null;
   const waits = upon();
-  want({ ...waits, set: { ...waits.set, ...Object.fromEntries(entries) }, group });
+  const gesture = history.gesture(group);
+  want({ ...waits, set: { ...waits.set, ...Object.fromEntries(entries) }, group, gesture });
 }
 
 /** Gives the frame file another name. */
 export function rename(name: string): void {
   quiet();
-  want({ ...upon(), name });
+  want({ ...upon(), name, gesture: history.gesture(null) });
 }
 
 /** What a change of the frame file begins with: what waits already, or the file as it is. */
 function upon(): Wanted {
   const begun = performance.now();
-  if (wanted) return { ...wanted, record: true, linked: false, group: null, begun };
-  return { doc: doc.value, set: {}, onTop: true, record: true, group: null, begun };
+  if (wanted) return { ...wanted, record: true, linked: false, group: null, gesture: 0, begun };
+  return { doc: doc.value, set: {}, onTop: true, record: true, group: null, gesture: 0, begun };
 }
 
 /** The frame file as it was left last: with its new text and name, without the values that are still to be set in it. */
@@ -163,7 +166,7 @@ export function take(next: Doc, { record = true, group = null as string | null }
   quiet();
   pending.value = {};
   if (group !== "text") replaced.value += 1;
-  want({ doc: next, set: {}, onTop: false, record, group, begun: performance.now() });
+  want({ doc: next, set: {}, onTop: false, record, group, gesture: history.gesture(group), begun: performance.now() });
 }
 
 export function undo(): void {
@@ -304,7 +307,7 @@ async function show(now: Wanted): Promise<void> {
   doc.value = next;
   // What was set in the meantime belongs on top of this text.
   if (wanted?.onTop) wanted.doc = next;
-  if (now.record) history.record(next, now.group);
+  if (now.record) history.record(next, now.gesture);
   settled();
   if (now.linked) borrow(next);
   store(next);
@@ -396,7 +399,16 @@ type Opening = { doc: Doc; values: Record<string, Setting | null> };
 function takeLinked({ doc: of, values }: Opening, begun: number): void {
   pending.value = values;
   replaced.value += 1;
-  want({ doc: of, set: values, onTop: false, record: true, group: null, begun, linked: true });
+  want({
+    doc: of,
+    set: values,
+    onTop: false,
+    record: true,
+    group: null,
+    gesture: history.gesture(null),
+    begun,
+    linked: true,
+  });
 }
 
 /** Asks for the frame that the page most likely begins with, so that the engine makes it while the page is still drawn. */
@@ -449,9 +461,18 @@ export async function begin(): Promise<void> {
   doc.value = start;
   if (expected?.preset === start.preset) base.value = await expected.read;
   // Undo gives back what the link took the place of.
-  if (linked && own) history.record(own, null);
+  if (linked && own) history.record(own, history.gesture(null));
   if (linked) takeLinked(linked, asked);
-  else want({ doc: start, set: {}, onTop: false, record: true, group: null, begun: asked });
+  else
+    want({
+      doc: start,
+      set: {},
+      onTop: false,
+      record: true,
+      group: null,
+      gesture: history.gesture(null),
+      begun: asked,
+    });
 }
 
 export { identity, isUnchanged, source };
