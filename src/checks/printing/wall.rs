@@ -166,7 +166,7 @@ fn in_file(design: &Design, part: &Printed) -> Option<Finding> {
     if taken_mm == [0.0; 2] {
         return None;
     }
-    let inputs = (part.flat.key(), part.print_pose, layer_mm, limit_mm, taken_mm);
+    let inputs = (part.flat.key(), part.print_pose, layer_mm, limit_mm, printer.line_mm(), taken_mm);
     let wall = || compensated::mesh(part, printer, layer_mm).ok().and_then(|mesh| Walls::of(&mesh, layer_mm, limit_mm).wall);
     let thin = (*design.memo.get("walls in file", part.name.slug(), &inputs, wall))?;
     let keys = record(part.name).walls.last().map_or(&[][..], |wall| wall.keys);
@@ -174,7 +174,7 @@ fn in_file(design: &Design, part: &Printed) -> Option<Finding> {
     let [size, needed] = measure.figures(2);
     let at = thin.at_mm.map(|mm| decimals(mm, 1)).join(", ");
     let message = format!(
-        "the file of {} has a wall of {size} mm (at {at}), for holes are drawn {} mm wider and the first layer is drawn in by {} mm; the nozzle \
+        "the file of {} has a wall of {size} mm (at {at}), for holes are drawn {} mm wider and the first layer is drawn in by up to {} mm; the nozzle \
          needs {needed} mm",
         part.name, taken_mm[0], taken_mm[1]
     );

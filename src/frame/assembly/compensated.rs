@@ -3,7 +3,7 @@
 //! The nominal part is what the frame is made of: its mass, its checks and its place in the assembly are those. Only the
 //! files that are printed differ: round bores are drawn wider by the profile's `hole_undersize_mm`, whichever way
 //! they lie, and what lies in the first layer is drawn in by its `elephant_foot_mm`, from outer outlines and from
-//! holes alike; a wall of which less than a line would be left, down to a line. Without either the mesh is the part's own.
+//! holes alike; by less, in quarters of it, where less than a line of a wall would be left. Without either the mesh is the part's own.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;

@@ -9,7 +9,7 @@ use crate::impact::fit::{FitProblem, Fitted, Layout, inverse};
 /// What a free parameter has to earn, in the sum of squares.
 pub const PRICE: f64 = 5.0;
 /// What parameters with a default have to earn beyond that: a default is what is known of them.
-const EARNS: f64 = 6.0;
+pub(super) const EARNS: f64 = 6.0;
 /// Starts tried for each effect.
 const TRIES: usize = 4;
 /// Steps of a fit from a start.
@@ -56,7 +56,7 @@ impl Candidate {
     }
 
     /// The score with what parameters have to earn that have a default.
-    fn worth(&self) -> f64 {
+    pub(super) fn worth(&self) -> f64 {
         let defaults = self.fitted.layout.free.iter().filter(|free| free.spec.parameters[free.at].default.is_some());
         self.score + EARNS * defaults.count() as f64
     }
@@ -100,6 +100,25 @@ impl Candidate {
         }
     }
 
+    /// The same with each default that is free at its value again, where being free does not earn more than its price: it may have in a smaller set.
+    #[must_use]
+    pub fn held(self, problem: &FitProblem) -> Self {
+        let mut best = self;
+        for free in best.fitted.layout.free.clone() {
+            let Some(default) = free.spec.parameters[free.at].default else { continue };
+            let mut layout = best.fitted.layout.clone();
+            layout.free.retain(|one| one.spec.id != free.spec.id || one.at != free.at);
+            for listed in layout.model.effects.iter_mut().filter(|listed| listed.spec.id == free.spec.id) {
+                listed.values[free.at] = default;
+            }
+            match problem.fit(layout, MORE_STEPS).map(Self::of) {
+                Some(held) if held.worth() <= best.worth() => best = held,
+                _ => {}
+            }
+        }
+        best
+    }
+
     /// A model with the effects that it has already; `None` where it has none, or cannot be fitted.
     pub fn given(problem: &FitProblem, model: &Model) -> Option<Self> {
         let has_effects = model.effects.iter().any(|listed| !listed.spec.is_base());
@@ -125,7 +144,7 @@ impl Candidate {
 pub struct Promise {
     /// The start, with the amount of it from the linear fit.
     pub start: Start,
-    /// Promised sum of squares.
+    /// Promised sum of squares, with what free defaults have to earn.
     pub sum: f64,
 }
 
@@ -143,6 +162,14 @@ pub fn promises(problem: &FitProblem, fitted: &Fitted, dictionary: &Dictionary) 
         let scalable = start.spec.parameters.iter().any(|parameter| parameter.off.is_some());
         let factor = if length <= 0.0 || !scalable { 1.0 } else { (along / length).clamp(0.05, 3.0) };
         let sum = whole - 2.0 * factor * along + factor * factor * length;
+        // What a default that is free has to earn.
+        let freed = start
+            .spec
+            .parameters
+            .iter()
+            .zip(&start.values)
+            .filter(|(parameter, value)| parameter.default.is_some_and(|own| own != **value));
+        let sum = sum + (PRICE + EARNS) * freed.count() as f64;
         all.push(Promise { start: start.scaled(factor), sum });
     }
     all.sort_by(|a, b| a.sum.total_cmp(&b.sum));

@@ -3,7 +3,7 @@
 use nalgebra::DMatrix;
 
 use super::adequacy::Adequacy;
-use super::candidate::Candidate;
+use super::candidate::{Candidate, EARNS, PRICE};
 use super::clipping::Clipping;
 use crate::impact::effects::{Listed, SENSOR_SATURATION};
 use crate::impact::fit::{FitProblem, Fitted, Free, Layout, NORMAL_97_5, inverse};
@@ -34,8 +34,6 @@ pub struct HeldParameter {
     pub effect: &'static str,
     /// Key.
     pub key: &'static str,
-    /// Unit; 1 of words.
-    pub unit: &'static str,
     /// What it is.
     pub value: HeldValue,
 }
@@ -58,15 +56,10 @@ pub fn held(chosen: &Candidate) -> Vec<HeldParameter> {
         let defaults = spec.parameters.iter().zip(&listed.values).enumerate();
         let mut all: Vec<HeldParameter> = defaults
             .filter(|(at, (parameter, _))| parameter.default.is_some() && !is_free(spec.id, *at))
-            .map(|(_, (parameter, value))| HeldParameter {
-                effect: spec.id,
-                key: parameter.key,
-                unit: parameter.unit,
-                value: HeldValue::Default(*value),
-            })
+            .map(|(_, (parameter, value))| HeldParameter { effect: spec.id, key: parameter.key, value: HeldValue::Default(*value) })
             .collect();
         let word = spec.choice.and_then(|choice| Some((choice.key, *choice.words.get(listed.word)?)));
-        all.extend(word.map(|(key, word)| HeldParameter { effect: spec.id, key, unit: "1", value: HeldValue::Word(word) }));
+        all.extend(word.map(|(key, word)| HeldParameter { effect: spec.id, key, value: HeldValue::Word(word) }));
         all
     };
     chosen.model().effects.iter().filter(|listed| !listed.spec.is_base()).flat_map(of).collect()
@@ -98,18 +91,25 @@ pub(super) fn estimates(
     Some((fitted.chain(seen_limit(chosen, clipping)).collect(), correlations))
 }
 
-/// Of the free parameters, with how far the others of the set may be from their defaults, which no fit has told.
+/// What the drops may tell a damping to be off its default without its being freed, in the sum of squares ([`super::candidate`]).
+const UNTOLD: f64 = PRICE + EARNS;
+
+/// Of the free parameters. What of the set was not fitted may be off its default by as much as is thought of it, or as the drops leave untold; the
+/// parameters move along.
 fn covariance(problem: &FitProblem, fitted: &Fitted) -> Option<DMatrix<f64>> {
+    let own = &fitted.minimum.jacobian;
+    let mut covariance = inverse(&(own.transpose() * own))?;
     let whole = problem.fit(Layout::whole(fitted.model().clone()), 0)?;
     let is_free = |free: &Free| fitted.layout.free.iter().any(|one| one.spec.id == free.spec.id && one.at == free.at);
-    let mut information = whole.minimum.jacobian.transpose() * &whole.minimum.jacobian;
+    let told = inverse(&(whole.minimum.jacobian.transpose() * &whole.minimum.jacobian));
+    let along = &covariance * own.transpose();
     for (at, free) in whole.layout.free.iter().enumerate().filter(|(_, free)| !is_free(free)) {
-        information[(at, at)] += free.default_spread().powi(-2);
+        let untold = told.as_ref().map_or(f64::INFINITY, |told| UNTOLD * told[(at, at)]);
+        let variance = free.default_spread().powi(2).min(untold);
+        let moved = &along * whole.minimum.jacobian.column(at);
+        covariance += variance * &moved * moved.transpose();
     }
-    let all = inverse(&information)?;
-    let place = |one: &Free| whole.layout.free.iter().position(|free| one.spec.id == free.spec.id && one.at == free.at);
-    let own = fitted.layout.free.iter().map(place).collect::<Option<Vec<usize>>>()?;
-    Some(DMatrix::from_fn(own.len(), own.len(), |i, j| all[(own[i], own[j])]))
+    Some(covariance)
 }
 
 /// The limit of a sensor that was read where readings pile up, and not fitted.

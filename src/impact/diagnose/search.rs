@@ -115,9 +115,9 @@ impl SearchContext<'_> {
         Some(Level { candidates: vec![given], adequacy })
     }
 
-    /// Takes the best sets to their minima, and frees defaults there.
+    /// Takes the best sets to their minima, and holds or frees defaults there.
     fn freed(&self, candidates: Vec<Candidate>) -> Vec<Candidate> {
-        let best = |candidate: Candidate| candidate.settled(self.problem).restarted(self.problem).freed(self.problem);
+        let best = |candidate: Candidate| candidate.settled(self.problem).restarted(self.problem).held(self.problem).freed(self.problem);
         let one = |(at, candidate): (usize, Candidate)| if at < CARRIED { best(candidate) } else { candidate };
         self.ranked(candidates.into_par_iter().enumerate().map(one).collect())
     }
@@ -137,7 +137,7 @@ impl SearchContext<'_> {
             models.into_par_iter().filter_map(|model| Some(Candidate::best(self.problem, [model])?.settled(self.problem))).collect();
         for again in refitted {
             match smaller.iter_mut().find(|known| known.ids() == again.ids()) {
-                Some(known) if known.score > again.score => *known = again,
+                Some(known) if known.worth() > again.worth() => *known = again,
                 Some(_) => {}
                 None => smaller.push(again),
             }

@@ -60,8 +60,10 @@ impl Free {
     pub fn may_end_at(&self, scaled: f64) -> bool {
         let parameter = &self.spec.parameters[self.at];
         let is_lower = scaled - self.bounds()[0] < self.step();
+        // The floor of a logarithm is no nothing.
+        let is_zero = self.outward(self.bounds()[0]) == parameter.min;
         let is_none = (parameter.default.is_some() && parameter.min == 0.0) || parameter.off == Some(parameter.min);
-        parameter.scale == Scale::Fraction || (is_none && is_lower)
+        parameter.scale == Scale::Fraction || (is_none && is_zero && is_lower)
     }
 
     /// How far what has a default may be from it before anything is measured, as a standard deviation on the fit's scale: a choice, a factor of three,

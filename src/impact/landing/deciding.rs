@@ -3,6 +3,7 @@
 use nalgebra::DMatrix;
 
 use super::assessment::LandingAssessment;
+use super::gaps::Window;
 use super::legged_body::{COULOMB_FRICTION, Legs};
 use crate::impact::diagnose::{Diagnosis, EffectEstimate, Gap, Gaps, Point, joined};
 use crate::impact::effects::{LINEAR_DAMPER, LINEAR_SPRING, Model, Spec, by_id};
@@ -22,24 +23,25 @@ impl LandingAssessment {
         diagnosis.residual_force.clear();
         diagnosis.experiments.clear();
         diagnosis.model_after = self.level(diagnosis.base.model());
-        diagnosis.chosen_points = self.points(&diagnosis.base_points);
+        diagnosis.chosen_points = points(&diagnosis.base_points, &self.windows);
+        diagnosis.held_out_points[1] = points(&diagnosis.held_out_points[0], &self.held_out_windows);
     }
 
     /// The base model with these legs, as much of them as a model file may state: a level landing of theirs.
     pub fn level(&self, base: &Model) -> Model {
         level(base, &self.fit.legs)
     }
+}
 
-    /// The samples with what the landings predict in mean.
-    fn points(&self, base: &[Point]) -> Vec<Point> {
-        let predicted = |height_m: f64| self.windows.iter().find(|(of_m, ..)| *of_m == height_m).map(|(.., predicted)| predicted);
-        let mut points = base.to_vec();
-        for same in points.chunk_by_mut(|a, b| a.height_m == b.height_m) {
-            let Some(predicted) = predicted(same[0].height_m) else { continue };
-            same.iter_mut().zip(predicted).for_each(|(point, model_g)| point.model_g = *model_g);
-        }
-        points
+/// The samples with what the landings predict in mean.
+fn points(base: &[Point], windows: &[Window]) -> Vec<Point> {
+    let predicted = |height_m: f64| windows.iter().find(|(of_m, ..)| *of_m == height_m).map(|(.., predicted)| predicted);
+    let mut points = base.to_vec();
+    for same in points.chunk_by_mut(|a, b| a.height_m == b.height_m) {
+        let Some(predicted) = predicted(same[0].height_m) else { continue };
+        same.iter_mut().zip(predicted).for_each(|(point, model_g)| point.model_g = *model_g);
     }
+    points
 }
 
 /// Spring and damper are those of the base model.

@@ -104,7 +104,8 @@ pub fn without_room(pieces: &[&Piece], printer: &Printer) -> String {
         format!("{}.stl ({x} x {y} x {z} mm)", piece.name)
     };
     let all: Vec<String> = pieces.iter().map(of).collect();
-    format!("{}: on no plate, as the bed of {} has no room for it: print it on a larger one", all.join(", "), printer.name)
+    let them = if all.len() == 1 { "it" } else { "them" };
+    format!("{}: on no plate, as the bed of {} has no room for {them}: print {them} on a larger one", all.join(", "), printer.name)
 }
 
 /// The page; its commands name the frame as it was given.

@@ -61,6 +61,7 @@ fn drops(diagnosis: &Diagnosis, compared: &Compared) -> Vec<Block> {
         .map(|one| {
             let possible = match (one.impossible, one.too_small) {
                 (true, _) => "impossible for a vertical impact",
+                (_, true) if diagnosis.clipping.is_some() => "small, as readings are cut off",
                 (_, true) => "less than stops a body from there: another height or another scale?",
                 _ => "possible",
             };

@@ -60,7 +60,7 @@ fn compensation(text: &mut String, printer: &Printer) {
     if foot_mm > 0.0 {
         let _ = write!(
             text,
-            "\nTheir first layer is drawn in by {foot_mm} mm, up to the height of the other layers: print the first layer no higher than these, and leave the slicer's own elephant foot compensation off; the plates tell the slicer so.\n"
+            "\nTheir first layer is drawn in by {foot_mm} mm, by less where less than a line of a wall would be left, up to the height of the other layers: print the first layer no higher than these, and leave the slicer's own elephant foot compensation off; the plates tell the slicer so.\n"
         );
     }
 }

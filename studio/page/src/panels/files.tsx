@@ -55,7 +55,7 @@ export function Files() {
           of <code>flexframe fold {given.value}</code>.
         </p>
       )}
-      {violations.value > 0 && (
+      {violations.value > 0 && !refused.value && (
         <p class="caution" role="status">
           {violations.value === 1 ? "One limit is" : `${violations.value} limits are`} violated. The files are made all
           the same.{" "}

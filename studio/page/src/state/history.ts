@@ -26,10 +26,11 @@ export class History {
 
   record(doc: Doc, gesture: number): void {
     const together = gesture === this.#last;
-    this.#last = gesture;
     const kept = this.#docs.value.slice(0, this.#at.value + (together && this.#at.value > 0 ? 0 : 1));
     const top = kept.at(-1);
     const same = top && top.text === doc.text && top.name === doc.name && top.preset === doc.preset;
+    // Where a gesture is back at what was before it, what it does next is a step of its own.
+    this.#last = same ? 0 : gesture;
     // What is the same as the step before is no step; a step that it ended together with others is none any more, either.
     if (same && !together) return;
     this.#docs.value = same ? kept : [...kept, doc].slice(-LONGEST);
