@@ -64,7 +64,7 @@ pub struct ParameterEstimate {
     pub start: f64,
     /// Where it ended.
     pub value: f64,
-    /// 95 % interval; none from fewer than [`LEAST_RESAMPLED`] fits, nor from resampled drops where a height has fewer than [`LEAST_DROPS`].
+    /// 95 % interval; none from fewer than [`LEAST_RESAMPLED`] fits, nor from resampled drops where a height has fewer than four.
     pub ci95: Option<[f64; 2]>,
     /// Whether it ended at a bound.
     pub at_bound: bool,
