@@ -34,7 +34,8 @@ CONTRARY = {
     "top_surface_speed": "190", "gap_infill_speed": "260", "small_perimeter_speed": "50%", "small_perimeter_threshold": "0",
     "brim_type": "auto_brim", "brim_width": "11", "line_width": "0.61", "inner_wall_line_width": "0.62", "outer_wall_line_width": "0.63",
     "sparse_infill_line_width": "0.64", "internal_solid_infill_line_width": "0.65", "top_surface_line_width": "0.66",
-    "enable_support": "1", "support_type": "tree(manual)", "elefant_foot_compensation": "0.15",
+    "enable_support": "1", "support_type": "tree(manual)", "support_on_build_plate_only": "1",
+    "elefant_foot_compensation": "0.15",
     "top_bottom_infill_wall_overlap": "41%",
 }
 ORCA_ALONE = {"top_bottom_infill_wall_overlap"}
@@ -166,7 +167,8 @@ def printed_by_orca(setting, known):
         "speed in short loops, mm/s": (number("small_perimeter_speed"), number("small_perimeter_threshold")),
         "brim, mm": brim,
         "widths, mm": [number(f"{role}_line_width") or number("line_width") for role in ROLES],
-        "support": setting["enable_support"] == "1" and setting["support_type"].endswith("(auto)"),
+        "support": setting["enable_support"] == "1" and setting["support_type"].endswith("(auto)")
+        and setting["support_on_build_plate_only"] == "0",
         "foot, mm": number("elefant_foot_compensation"),
         "flow": number("print_flow_ratio"),
     }
@@ -189,6 +191,7 @@ def meant_by_prusa(setting):
         meant["brim, mm"] = number("brim_width") if setting["brim_type"] == "outer_only" else 0.0
     meant["widths, mm"] = [number(f"{kind}_extrusion_width") or number("extrusion_width") for kind in widths]
     meant["support"] = setting["support_material"] == "1" and setting.get("support_material_auto", "1") == "1"
+    meant["support"] &= setting.get("support_material_buildplate_only", "0") == "0"
     return meant
 
 
