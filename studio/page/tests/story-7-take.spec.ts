@@ -51,7 +51,7 @@ test("the whole folder, the STEP files and a single STL have the bytes of the co
     .map(({ parentPath, name }) => relative(root, join(parentPath, name)));
   await start(page);
   await page.getByRole("tab", { name: "Files" }).click();
-  const all = await downloaded(page, /^Everything/);
+  const all = await downloaded(page, /^Folder of/);
   expect([...all.keys()].sort()).toEqual(built.sort());
   for (const [path, bytes] of all) expect(readFileSync(join(root, path)).equals(bytes), path).toBe(true);
   const report = await downloaded(page, /^Report/);
@@ -162,7 +162,7 @@ test("of a refused frame file there are no files, and the link and the frame fil
     "my-cognifly.toml is refused, so no files are made of it",
   );
   await expect(page.locator(".files > .caution")).toContainText("the way left");
-  for (const button of [/^STL, every part/, /^GLB/, /^Bill/, /^Everything/])
+  for (const button of [/^STL, every part/, /^GLB/, /^Bill/, /^Folder of/])
     await expect(page.getByRole("button", { name: button })).toBeDisabled();
   const text = await downloaded(page, /^Frame file/);
   expect(Buffer.from(text.get("my-cognifly.toml")!).toString()).toBe(typed);
