@@ -33,5 +33,5 @@ pub fn predicted_peak(body: &DropBody) -> PredictedPeak {
         ValidityWarning::PastGap { speed_m_s, .. } => Some(*speed_m_s),
         _ => None,
     });
-    PredictedPeak { peak_g: trace.peak_sensor_g, strike_m_s: strike_m_s.unwrap_or(0.0) }
+    PredictedPeak { peak_g: trace.peaks.map_or(f64::NAN, |peaks| peaks.sensor_g), strike_m_s: strike_m_s.unwrap_or(0.0) }
 }

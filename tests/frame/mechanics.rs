@@ -271,7 +271,7 @@ fn regress_one_coordinate_has_the_peaks_of_the_beam_model() {
         let quarter = FrameModel::new(&design, &masses, &settings, Extent::Quarter).expect("has a model");
         let curve = StaticCurve::new(&quarter, CURVE_MM, &[]).expect("is followed");
         let one = reduced_model(&design, &masses, &quarter, &curve, &settings).expect("has modes");
-        let reduced_g = simulate(&System::new(&one), 1.0, &SolverOptions::REPORT).peak_proper_g;
+        let reduced_g = simulate(&System::new(&one), 1.0, &SolverOptions::REPORT).peaks.unwrap().proper_g;
         let impact = Impact::new(&quarter, &settings, 1.0, &Run::default()).expect("is followed");
         let [beams_g, _] = impact.peak();
         assert!((reduced_g / beams_g - ratio).abs() < 0.03, "{name}: {reduced_g} g, {beams_g} g");

@@ -86,7 +86,7 @@ fn analytic_linear_damped_spring() {
     for (t_s, x_m) in trace.t_s.iter().zip(&trace.x_m) {
         assert!((x_m - position(*t_s)).abs() < 1e-10, "{t_s} s: {x_m} m, expected {} m", position(*t_s));
     }
-    assert!((trace.peak_coordinate_g - (C * v0 / MASS_KG - G) / G).abs() < 1e-9, "largest at first touch");
+    assert!((trace.peaks.expect("it does not diverge").coordinate_g - (C * v0 / MASS_KG - G) / G).abs() < 1e-9, "largest at first touch");
     // x' = 0 and F = 0 by their own formulae.
     let slope = |t: f64| (position(t + 1e-6) - position(t - 1e-6)) / 2e-6;
     let turn_s = trace.compression.as_ref().expect("it turns").t_ms * 1e-3;
@@ -131,6 +131,16 @@ fn analytic_quadratic_damping_stops_where_its_solution_does() {
 }
 
 #[test]
+fn analytic_a_drop_that_diverges_has_no_peaks() {
+    // Without the damper, drag that feeds energy in outweighs everything.
+    let fed = model(&[("quadratic_damping", &[-20.0])]).with(by_id("linear_damper").expect("known"), &[0.0], 0);
+    let trace = dropped(&fed, 2.0);
+    assert!(matches!(trace.stop, Stop::Diverges { .. }), "{:?}", trace.stop);
+    assert_eq!(trace.peaks, None);
+    assert!(trace.warnings.iter().any(|warning| matches!(warning, ValidityWarning::Diverges { .. })), "{:?}", trace.warnings);
+}
+
+#[test]
 fn analytic_a_frame_that_is_let_go_flies_at_exactly_0_g() {
     let trace = dropped(&model(&[("unilateral_contact", &[0.0])]), 1.0);
     let release = trace.release.as_ref().expect("it leaves");
@@ -172,7 +182,7 @@ fn analytic_sensor_and_fall_effects() {
         assert!((gained.sensor_g[i] - 0.8 * reading_g).abs() < 1e-12);
         assert_eq!(clipped.sensor_g[i], reading_g.clamp(-30.0, 30.0));
     }
-    assert_eq!(clipped.peak_sensor_g, 30.0);
+    assert_eq!(clipped.peaks.expect("it does not diverge").sensor_g, 30.0);
     assert_eq!(dropped(&model(&[("drop_height_error", &[0.25])]), 0.75).sensor_g, plain.sensor_g);
     let braked = dropped(&model(&[("air_drag", &[0.3])]), 1.0);
     let height_m = G / 0.3 * (1.0 - libm::exp(-0.6)) / (2.0 * G);

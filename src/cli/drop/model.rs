@@ -79,22 +79,22 @@ fn row(trace: &Trace) -> String {
             .map(|part| Some(100.0 * part / balance.input_j))
     });
     let paper = trace.paper.map_or([None; 3], |paper| [paper.damper_percent, paper.spring_percent, paper.rigid_percent].map(Some));
-    let percent = |value: Option<f64>, width: usize| value.map_or(format!("{:>width$}", "-"), |value| format!("{:>width$.1}", value + 0.0));
+    let tenths = |value: Option<f64>, width: usize| value.map_or(format!("{:>width$}", "-"), |value| format!("{:>width$.1}", value + 0.0));
     format!(
-        "{:>6} {:>8.3} {:>11.1} {:>8.1} {:>8.1} {} {}  {} {} {} {}   {} {} {}\n",
+        "{:>6} {:>8.3} {} {} {} {} {}  {} {} {} {}   {} {} {}\n",
         trace.height_m,
         trace.impact_speed_m_s,
-        trace.peak_coordinate_g,
-        trace.peak_proper_g,
-        trace.peak_sensor_g,
+        tenths(trace.peaks.map(|peaks| peaks.coordinate_g), 11),
+        tenths(trace.peaks.map(|peaks| peaks.proper_g), 8),
+        tenths(trace.peaks.map(|peaks| peaks.sensor_g), 8),
         or_none(trace.contact_s.map(|t_s| t_s * 1e3), 8),
         or_none(trace.max_displacement_m.map(|x_m| x_m * 1e3), 8),
-        percent(shares[0], 7),
-        percent(shares[1], 7),
-        percent(shares[2], 7),
-        percent(shares[3], 6),
-        percent(paper[0], 6),
-        percent(paper[1], 7),
-        percent(paper[2], 6),
+        tenths(shares[0], 7),
+        tenths(shares[1], 7),
+        tenths(shares[2], 7),
+        tenths(shares[3], 6),
+        tenths(paper[0], 6),
+        tenths(paper[1], 7),
+        tenths(paper[2], 6),
     )
 }

@@ -15,7 +15,8 @@ pub(super) fn evaluate(
     mut finished: impl FnMut(usize, Outcome) -> Result<ControlFlow<()>, Failure>,
 ) -> Result<(), Failure> {
     let (next, ended) = (AtomicUsize::new(0), AtomicBool::new(false));
-    let (send, receive) = mpsc::channel();
+    // A row is handed over before its core takes the next, so that a slow disk leaves none that nobody has seen.
+    let (send, receive) = mpsc::sync_channel(0);
     let pools = (0..cores).map(|_| rayon::ThreadPoolBuilder::new().num_threads(1).build()).collect::<Result<Vec<_>, _>>();
     let pools = pools.map_err(|error| Failure::Machine { what: "cannot begin a thread".into(), error: std::io::Error::other(error) })?;
     std::thread::scope(|scope| {

@@ -24,6 +24,6 @@ pub use heights::{HEIGHTS_M, HeightError, check_heights};
 pub use integrate::{SolverOptions, Stop};
 pub use sampler::Sampler;
 pub use system::{SlowWay, System};
-pub use trace::{Trace, simulate};
+pub use trace::{Peaks, Trace, simulate};
 pub use validity_warning::ValidityWarning;
 pub use wave::wave;

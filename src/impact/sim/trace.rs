@@ -11,6 +11,17 @@ use crate::units::GRAVITY_M_S2;
 /// Duration of a run in which the frame does not leave the ground, s.
 const PATIENCE_S: f64 = 0.5;
 
+/// Largest values of a drop.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Peaks {
+    /// Largest |x''|, g.
+    pub coordinate_g: f64,
+    /// Largest proper acceleration, g.
+    pub proper_g: f64,
+    /// Largest reading, g.
+    pub sensor_g: f64,
+}
+
 /// A drop from one height.
 #[derive(Clone, Debug)]
 pub struct Trace {
@@ -32,12 +43,8 @@ pub struct Trace {
     pub ground_n: Vec<f64>,
     /// The sensor's output before sampling, g.
     pub sensor_g: Vec<f64>,
-    /// Largest |x''|, g.
-    pub peak_coordinate_g: f64,
-    /// Largest proper acceleration, g.
-    pub peak_proper_g: f64,
-    /// Largest reading, g.
-    pub peak_sensor_g: f64,
+    /// Largest accelerations; `None` where the run diverges, as they are then those of the last steps.
+    pub peaks: Option<Peaks>,
     /// From first touch until the ground ceases to push, s; `None` when it does not within half a second.
     pub contact_s: Option<f64>,
     /// Largest compression, m; `None` when the run ended before.
@@ -70,9 +77,7 @@ impl Trace {
             proper_g: Vec::new(),
             ground_n: Vec::new(),
             sensor_g: Vec::new(),
-            peak_coordinate_g: 0.0,
-            peak_proper_g: 0.0,
-            peak_sensor_g: 0.0,
+            peaks: None,
             contact_s: None,
             max_displacement_m: None,
             compression: None,
@@ -123,9 +128,11 @@ pub fn simulate(system: &System, height_m: f64, settings: &SolverOptions) -> Tra
 /// Fills in what the events say.
 fn conclude(system: &System, trace: &mut Trace, events: &Events) {
     let height_m = trace.height_m;
-    trace.peak_coordinate_g = events.coordinate_m_s2 / GRAVITY_M_S2;
-    trace.peak_proper_g = events.proper_m_s2 / GRAVITY_M_S2;
-    trace.peak_sensor_g = events.reading_g;
+    trace.peaks = (!matches!(trace.stop, Stop::Diverges { .. })).then(|| Peaks {
+        coordinate_g: events.coordinate_m_s2 / GRAVITY_M_S2,
+        proper_g: events.proper_m_s2 / GRAVITY_M_S2,
+        sensor_g: events.reading_g,
+    });
     trace.contact_s = events.release.map(|(t_s, ..)| t_s);
     trace.max_displacement_m = events.deepest.map(|(_, y, _)| y[0]);
     let balance = |moment, (t_s, y, phase): super::events::Moment| Balance::of(system, moment, height_m, (t_s, &y, phase));
@@ -160,8 +167,9 @@ fn warnings(system: &System, trace: &Trace, events: &Events) -> Vec<ValidityWarn
         None if trace.stop == Stop::End => warnings.push(ValidityWarning::NoRelease { t_ms: PATIENCE_S * 1e3 }),
         _ => {}
     }
-    if trace.peak_sensor_g >= system.arrangement.sensor.limit_g {
-        warnings.push(ValidityWarning::SensorLimit { limit_g: system.arrangement.sensor.limit_g });
+    let limit_g = system.arrangement.sensor.limit_g;
+    if trace.peaks.is_some_and(|peaks| peaks.sensor_g >= limit_g) {
+        warnings.push(ValidityWarning::SensorLimit { limit_g });
     }
     warnings.extend(effects_outside(system, trace, events));
     warnings

@@ -7,7 +7,7 @@ use super::bars::{Bars, Group};
 use super::lines::{Lines, Series};
 use super::plot::{self, PlotError};
 use crate::impact::effects::Model;
-use crate::impact::sim::{Balance, PaperShares, Trace, ValidityWarning};
+use crate::impact::sim::{Balance, PaperShares, Peaks, Trace, ValidityWarning};
 
 /// Every plot, path and bytes.
 ///
@@ -92,8 +92,8 @@ fn energy(model: &Model, traces: &[Trace]) -> Bars {
 }
 
 fn peak(model: &Model, traces: &[Trace]) -> Lines {
-    let line = |colour, label: &str, value: fn(&Trace) -> f64| {
-        let mut points: Vec<(f64, f64)> = traces.iter().map(|trace| (trace.height_m, value(trace))).collect();
+    let line = |colour, label: &str, value: fn(&Peaks) -> f64| {
+        let mut points: Vec<(f64, f64)> = traces.iter().filter_map(|trace| Some((trace.height_m, value(trace.peaks.as_ref()?)))).collect();
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
         Series { label: Some(label.into()), is_pale: false, colour: plot::colour(colour), width: 2, marked: true, points }
     };
@@ -102,9 +102,9 @@ fn peak(model: &Model, traces: &[Trace]) -> Lines {
         across: "drop height, m",
         up: "peak, g",
         series: vec![
-            line(0, "coordinate, |x''|", |trace| trace.peak_coordinate_g),
-            line(1, "proper", |trace| trace.peak_proper_g),
-            line(2, "through the sensor", |trace| trace.peak_sensor_g),
+            line(0, "coordinate, |x''|", |peaks| peaks.coordinate_g),
+            line(1, "proper", |peaks| peaks.proper_g),
+            line(2, "through the sensor", |peaks| peaks.sensor_g),
         ],
         levels: Vec::new(),
         left: Vec::new(),

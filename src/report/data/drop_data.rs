@@ -46,9 +46,9 @@ fn of_height(trace: &Trace, series: bool) -> Value {
     }
     let mut value = json!({
         "height_m": trace.height_m,
-        "peak_coordinate_g": trace.peak_coordinate_g,
-        "peak_proper_g": trace.peak_proper_g,
-        "peak_sensor_g": trace.peak_sensor_g,
+        "peak_coordinate_g": trace.peaks.map(|peaks| peaks.coordinate_g),
+        "peak_proper_g": trace.peaks.map(|peaks| peaks.proper_g),
+        "peak_sensor_g": trace.peaks.map(|peaks| peaks.sensor_g),
         "contact_time_ms": trace.contact_s.map(|t_s| t_s * 1e3),
         "max_displacement_mm": trace.max_displacement_m.map(|x_m| x_m * 1e3),
         "energy": energy,
@@ -75,9 +75,9 @@ pub fn results_csv(traces: &[Trace]) -> Result<String, ExportError> {
         let numbers = [
             Some(trace.height_m),
             Some(trace.impact_speed_m_s),
-            Some(trace.peak_coordinate_g),
-            Some(trace.peak_proper_g),
-            Some(trace.peak_sensor_g),
+            trace.peaks.map(|peaks| peaks.coordinate_g),
+            trace.peaks.map(|peaks| peaks.proper_g),
+            trace.peaks.map(|peaks| peaks.sensor_g),
             trace.contact_s.map(|t_s| t_s * 1e3),
             trace.max_displacement_m.map(|x_m| x_m * 1e3),
             balance.map(|b| b.input_j),

@@ -79,6 +79,22 @@ test("a value, a name and a file that is asked for while another value is comput
   await settled(page);
   await expect(name).toHaveValue("late");
   await expect(strut).toHaveValue("48");
+  // Each is a step of its own, also those that waited together.
+  const undo = page.getByRole("button", { name: "Undo" });
+  const steps = [
+    ["my-cognifly", "80", "48"],
+    ["my-cognifly", "80", "50.03"],
+    ["cognifly", "82", "50.03"],
+  ] as const;
+  for (const [called, armLength, strutLength] of steps) {
+    await undo.click();
+    await settled(page);
+    await expect(name).toHaveValue(called);
+    await page.getByRole("tab", { name: "Values" }).click();
+    await expect(arm).toHaveValue(armLength);
+    await expect(strut).toHaveValue(strutLength);
+  }
+  await expect(undo).toBeDisabled();
 });
 
 test("presets chosen one right after the other are steps of their own; quick changes of a value are one", async ({

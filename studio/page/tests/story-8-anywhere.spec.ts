@@ -226,6 +226,21 @@ test("a reload restores the last state, and two tabs do not disturb each other",
   await expect(await openField(other, "rods.arm_rod_length_mm")).toHaveValue("88");
 });
 
+test("one's own frame comes back by undo where a preset took its place before a reload", async ({ page }) => {
+  await start(page);
+  await setNumber(page, "rods.arm_rod_length_mm", "84");
+  await page.getByLabel("Preset").selectOption("cognifly-mini");
+  await settled(page);
+  await page.reload();
+  await expect(page.locator("[data-gauge=size]")).toBeVisible({ timeout: 60_000 });
+  await settled(page);
+  await expect(page.getByLabel("Preset")).toHaveValue("cognifly-mini");
+  await page.getByRole("button", { name: "Undo" }).click();
+  await settled(page);
+  await expect(page.getByLabel("Preset")).toHaveValue("cognifly");
+  await expect(await openField(page, "rods.arm_rod_length_mm")).toHaveValue("84");
+});
+
 test("a link in the address of the open page is a step, and a link copied at once is of what was chosen last", async ({
   page,
 }) => {

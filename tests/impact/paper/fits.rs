@@ -121,7 +121,7 @@ pub fn filter(page: &mut String, drops: &Drops) {
             cells.join(" | "),
             passed(after),
             passed(before),
-            after.peak_coordinate_g
+            after.peaks.expect("it does not diverge").coordinate_g
         );
     }
     let first = |traces: &[flexframe::impact::sim::Trace]| {

@@ -25,8 +25,9 @@ export type DropAnswer = {
   body: { mass_kg: number; gap_mm: number; from: string };
   heights: {
     height_m: number;
-    peak_sensor_g: number;
-    peak_proper_g: number;
+    /** None where the run diverges. */
+    peak_sensor_g: number | null;
+    peak_proper_g: number | null;
     contact_time_ms: number | null;
     max_displacement_mm: number | null;
     energy: {

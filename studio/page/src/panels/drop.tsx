@@ -23,7 +23,7 @@ const both = signal(false);
 
 type Dropped = {
   name: string;
-  peakG: number;
+  peakG: number | null;
   contactMs: number | null;
   travelMm: number | null;
   /** The gap that is used up, mm, where a rigid body hits the ground: what follows is not computed. */

@@ -4,6 +4,8 @@ import { identity, isUnchanged } from "./doc.ts";
 import { plainName } from "./link.ts";
 
 const KEY = "flexframe-studio";
+/** The last frame that is no preset as it comes: another preset takes its place in `KEY`, and not here. */
+const OWN = "flexframe-studio-own";
 const BORROWED = "flexframe-studio-borrowed";
 
 /** The frame of a link, until something is changed of it: it does not take the place of one's own in other tabs. */
@@ -13,10 +15,12 @@ export function borrow(doc: Doc): void {
 
 export function store(doc: Doc): void {
   const text = JSON.stringify(doc);
-  put(() => sessionStorage.setItem(KEY, text));
-  put(() => {
-    if (sessionStorage.getItem(BORROWED) !== identity(doc)) localStorage.setItem(KEY, text);
-  });
+  for (const key of isUnchanged(doc) ? [KEY] : [KEY, OWN]) {
+    put(() => sessionStorage.setItem(key, text));
+    put(() => {
+      if (sessionStorage.getItem(BORROWED) !== identity(doc)) localStorage.setItem(key, text);
+    });
+  }
 }
 
 /** A browser that keeps nothing has nothing to restore. */
@@ -28,10 +32,11 @@ function put(into: () => void): void {
   }
 }
 
-/** The state of before, if it is sound; on one of those presets, where they are known. */
-export function restored(presets?: string[]): Doc | null {
+/** The state of before, or the last frame of one's `own`, if it is sound; on one of those presets, where they are known. */
+export function restored(presets?: string[], own = false): Doc | null {
+  const key = own ? OWN : KEY;
   try {
-    const kept: unknown = JSON.parse(sessionStorage.getItem(KEY) ?? localStorage.getItem(KEY) ?? "null");
+    const kept: unknown = JSON.parse(sessionStorage.getItem(key) ?? localStorage.getItem(key) ?? "null");
     if (typeof kept !== "object" || kept === null) return null;
     const { preset, name, text } = kept as Record<string, unknown>;
     const sound = typeof preset === "string" && typeof name === "string" && typeof text === "string";

@@ -90,17 +90,18 @@ export const findingsAreOfPicture = computed(
 /** Whether they are also those of the frame file: a refused file has none, and the picture is of the last good frame. */
 export const findingsAreCurrent = computed(() => findingsAreOfPicture.value && refused.value === null);
 
+/** A change of the frame file; changes of one gesture are one step of undo. */
+type Change = { set: Record<string, Setting | null>; name?: string; gesture: number };
+
 type Wanted = {
   doc: Doc;
-  set: Record<string, Setting | null>;
-  /** The file's new name, where it gets one. */
-  name?: string;
+  /** The gesture by which `doc` takes the place of the frame file; `null` where it is no step of undo. */
+  gesture: number | null;
+  /** What is changed of it then, in this order. */
+  changes: Change[];
   /** Whether it changes the frame file that is there then, and does not take its place. */
   onTop: boolean;
-  record: boolean;
   group: string | null;
-  /** Changes of one gesture are one step of undo. */
-  gesture: number;
   begun: number;
   /** Whether it is the frame of a link. */
   linked?: boolean;
@@ -132,28 +133,33 @@ export function set(values: Record<string, Setting | null>): void {
   pending.value = { ...pending.value, ...Object.fromEntries(entries) };
   replaced.value += 1;
   const group = entries.length === 1 ? (entries[0]?.[0] ?? null) : null;
-  const waits = upon();
-  const gesture = history.gesture(group);
-  want({ ...waits, set: { ...waits.set, ...Object.fromEntries(entries) }, group, gesture });
+  change({ set: Object.fromEntries(entries), gesture: history.gesture(group) }, group);
 }
 
 /** Gives the frame file another name. */
 export function rename(name: string): void {
   quiet();
-  want({ ...upon(), name, gesture: history.gesture(null) });
+  change({ set: {}, name, gesture: history.gesture(null) }, null);
 }
 
-/** What a change of the frame file begins with: what waits already, or the file as it is. */
-function upon(): Wanted {
+/** Changes the frame file as it was left last, after what waits already. */
+function change(next: Change, group: string | null): void {
   const begun = performance.now();
-  if (wanted) return { ...wanted, record: true, linked: false, group: null, gesture: 0, begun };
-  return { doc: doc.value, set: {}, onTop: true, record: true, group: null, gesture: 0, begun };
+  const waits = wanted ?? { doc: doc.value, gesture: null, changes: [], onTop: true };
+  const last = waits.changes.at(-1);
+  const goesOn = last?.gesture === next.gesture;
+  const changes = goesOn
+    ? [...waits.changes.slice(0, -1), { ...next, set: { ...last.set, ...next.set } }]
+    : [...waits.changes, next];
+  want({ ...waits, changes, group, begun, linked: false });
 }
 
 /** The frame file as it was left last: with its new text and name, without the values that are still to be set in it. */
 export function latest(): Doc {
-  const last = wanted ?? underway;
-  return last ? { ...last.doc, name: last.name ?? last.doc.name } : doc.value;
+  const waits = [underway, wanted].filter((one) => one !== null);
+  const of = waits.findLast(({ onTop }) => !onTop)?.doc ?? doc.value;
+  const since = waits.slice(wanted?.onTop ? 0 : -1).flatMap(({ changes }) => changes);
+  return { ...of, name: since.findLast(({ name }) => name !== undefined)?.name ?? of.name };
 }
 
 /** Goes on once the frame file has every change that was made before. */
@@ -166,7 +172,8 @@ export function take(next: Doc, { record = true, group = null as string | null }
   quiet();
   pending.value = {};
   if (group !== "text") replaced.value += 1;
-  want({ doc: next, set: {}, onTop: false, record, group, gesture: history.gesture(group), begun: performance.now() });
+  const gesture = history.gesture(group);
+  want({ doc: next, gesture: record ? gesture : null, changes: [], onTop: false, group, begun: performance.now() });
 }
 
 export function undo(): void {
@@ -179,15 +186,20 @@ export function redo(): void {
 
 /** A step of the history, once all that was changed before is in it. */
 async function step(move: () => Doc | undefined): Promise<void> {
-  if (underway?.record || wanted?.record) await new Promise<void>((resolve) => forHistory.push(resolve));
+  if (isStep(underway) || isStep(wanted)) await new Promise<void>((resolve) => forHistory.push(resolve));
   const to = move();
   if (to) take(to, { record: false });
+}
+
+/** Whether something is in the history after it. */
+function isStep(of: Wanted | null): boolean {
+  return of !== null && (of.gesture !== null || of.changes.length > 0);
 }
 
 /** A change is in the frame file: whoever waited for the last one goes on. */
 function settled(): void {
   underway = null;
-  if (!wanted?.record) for (const go of forHistory.splice(0)) go();
+  if (!isStep(wanted)) for (const go of forHistory.splice(0)) go();
   if (!wanted) for (const go of forFile.splice(0)) go();
 }
 
@@ -242,7 +254,8 @@ async function refuse(refusal: Refusal, group: string | null): Promise<void> {
   const stated = await statedBy(text);
   const editable = stated !== null;
   // The fields show what the file states. A value that cannot be written anywhere must not look as if it were set.
-  pending.value = stated ? { ...ofFile(stated), ...wanted?.set } : {};
+  const waits = wanted?.changes.map(({ set }) => set) ?? [];
+  pending.value = stated ? Object.assign(ofFile(stated), ...waits) : {};
   const { place } = refusal;
   // Why it cannot be written was found of the text before, with its line.
   if (!editable && !place && refused.value) return;
@@ -293,21 +306,29 @@ async function draw(next: Doc, opened: Opened): Promise<boolean> {
   return true;
 }
 
+async function changed(of: Doc, { set, name }: Change): Promise<Doc> {
+  let next = of;
+  if (Object.keys(set).length > 0) {
+    const { answer } = await shower.ask<Edited>({ do: "edit", text: of.text, set });
+    next = { ...of, text: answer.text, name: of.name === of.preset ? `my-${of.preset}` : of.name };
+  }
+  return name === undefined ? next : { ...next, name };
+}
+
 async function show(now: Wanted): Promise<void> {
   let next = now.doc;
-  if (Object.keys(now.set).length > 0) {
-    const { answer } = await shower.ask<Edited>({ do: "edit", text: next.text, set: now.set });
-    const name = next.name === next.preset ? `my-${next.preset}` : next.name;
-    next = { ...next, text: answer.text, name };
+  const steps: [Doc, number][] = now.gesture === null ? [] : [[next, now.gesture]];
+  for (const change of now.changes) {
+    next = await changed(next, change);
+    steps.push([next, change.gesture]);
   }
-  if (now.name !== undefined) next = { ...next, name: now.name };
   if (base.value === null || next.preset !== doc.value.preset || base.value.name !== next.preset) {
     base.value = (await shower.ask<Read>({ do: "read", frame: next.preset })).answer;
   }
   doc.value = next;
   // What was set in the meantime belongs on top of this text.
   if (wanted?.onTop) wanted.doc = next;
-  if (now.record) history.record(next, now.gesture);
+  for (const step of steps) history.record(...step);
   settled();
   if (now.linked) borrow(next);
   store(next);
@@ -399,16 +420,8 @@ type Opening = { doc: Doc; values: Record<string, Setting | null> };
 function takeLinked({ doc: of, values }: Opening, begun: number): void {
   pending.value = values;
   replaced.value += 1;
-  want({
-    doc: of,
-    set: values,
-    onTop: false,
-    record: true,
-    group: null,
-    gesture: history.gesture(null),
-    begun,
-    linked: true,
-  });
+  const changes = [{ set: values, gesture: history.gesture(null) }];
+  want({ doc: of, gesture: null, changes, onTop: false, group: null, begun, linked: true });
 }
 
 /** Asks for the frame that the page most likely begins with, so that the engine makes it while the page is still drawn. */
@@ -456,23 +469,19 @@ export async function begin(): Promise<void> {
   catalogue.value = listed.answer;
   const first = known.answer.frames[0]?.name ?? "cognifly";
   const linked = openedLink();
-  const own = restored(known.answer.frames.map(({ name }) => name));
+  const names = known.answer.frames.map(({ name }) => name);
+  const own = restored(names);
   const start = linked?.doc ?? own ?? ofPreset(first);
   doc.value = start;
   if (expected?.preset === start.preset) base.value = await expected.read;
-  // Undo gives back what the link took the place of.
-  if (linked && own) history.record(own, history.gesture(null));
+  // Undo gives back what the link, or the preset, took the place of.
+  const former = linked ? own : isUnchanged(start) ? restored(names, true) : null;
+  if (former) history.record(former, history.gesture(null));
   if (linked) takeLinked(linked, asked);
-  else
-    want({
-      doc: start,
-      set: {},
-      onTop: false,
-      record: true,
-      group: null,
-      gesture: history.gesture(null),
-      begun: asked,
-    });
+  else {
+    const gesture = history.gesture(null);
+    want({ doc: start, gesture, changes: [], onTop: false, group: null, begun: asked });
+  }
 }
 
 export { identity, isUnchanged, source };
