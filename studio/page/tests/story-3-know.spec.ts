@@ -123,3 +123,13 @@ test("a lever leads to its field, even where a search left it out", async ({ pag
   await expect(page.getByLabel("Search parameters")).toHaveValue("");
   await expect(page.locator(".parameters [data-key] :focus")).toHaveCount(1);
 });
+
+test("a lever that follows a bought part leads to that part", async ({ page }) => {
+  await start(page, "#p=cognifly&n=wide&s=bought.propeller:propeller-4-inch");
+  await checked(page);
+  const rule = page.locator('[data-rule="propeller_clearance"]');
+  await expect(rule.locator(".levers").first()).toContainText("Propeller");
+  await expect(rule.locator(".levers").first()).not.toContainText("Propeller diameter");
+  await rule.locator(".levers button").first().click();
+  await expect(page.locator('[id="c-bought.propeller"]')).toBeFocused();
+});

@@ -2,6 +2,7 @@
 import { computed, signal } from "@preact/signals";
 import type { Finding } from "../engine/answers.ts";
 import {
+  base,
   catalogue,
   checkAgain,
   checking,
@@ -9,6 +10,7 @@ import {
   findings,
   findingsAreCurrent,
   findingsAreOfPicture,
+  frame,
   refused,
   strengthFailure,
   withStrength,
@@ -155,6 +157,14 @@ function bodiesOf({ subject, message, levers }: Finding, facts: BodyFacts[]): Se
   return new Set(drivers.flatMap(({ drives }) => drives));
 }
 
+/** What is changed of a frame for a lever: the bought part that the lever follows, unless a file states the lever itself. */
+function changedFor(lever: string): string {
+  const from = catalogue.value?.parameters.find(({ key }) => key === lever)?.follows;
+  const stated = [frame.value, base.value].some((read) => read?.stated.includes(lever));
+  // Another number that a lever follows has its table before it, a bought part has none.
+  return from && !from.includes(".") && !stated ? `bought.${from}` : lever;
+}
+
 /** Whether a lever has a field; those of tables that a file adds, such as `extras`, have none. */
 function isField(key: string): boolean {
   const { parameters = [], choices = [] } = catalogue.value ?? {};
@@ -184,7 +194,7 @@ function Place({ finding }: { finding: Finding }) {
       {finding.verdict === "violated" && finding.levers.length > 0 && (
         <p class="levers">
           Changed most directly by{" "}
-          {finding.levers.map((key) =>
+          {[...new Set(finding.levers.map(changedFor))].map((key) =>
             isField(key) ? (
               <button key={key} type="button" class="link" onClick={() => showParameter(key)}>
                 {label(key)}
