@@ -1,5 +1,6 @@
 //! `flexframe diagnose`: what a model lacks, from measured drops.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -131,6 +132,8 @@ fn drops(args: &Args, paths: &[PathBuf]) -> Result<(DropSet, Vec<String>), Failu
         }
         names.extend(table.columns);
     }
+    let mut seen = BTreeSet::new();
+    names.retain(|name| seen.insert(name.clone()));
     Ok((set, names))
 }
 

@@ -887,7 +887,7 @@ fn analytic_readings_that_cannot_be_are_refused() {
         ("part,mass\nhub,9\n", "lacks the column `mass_g`"),
         ("part,mass_g\nhub,nine\n", "no number"),
         ("part,mass_g\naccessory_plate,2\n", "the frame has no `accessory_plate`; its parts are"),
-        ("part,mass_g\n", "write a row for each reading"),
+        ("part,mass_g\n", "write its rows below"),
     ] {
         bench.write("scale.csv", table);
         let output = flexframe(&["weigh", &bench.path("frame.toml"), &bench.path("scale.csv"), "--into", &bench.path("new.toml")]);

@@ -223,7 +223,7 @@ fn planted_unreadable_drops_exit_2_with_file_line_and_remedy() {
         ("soft_050cm/empty.bin", "empty.bin is empty", "leave it out"),
         ("soft_050cm/text.bin", "text.bin, sample 1: `x` is", "is it one?"),
         ("elsewhere", "lies in the folder `elsewhere`, whose name does not say the height", "soft_050cm"),
-        ("nothing", "nothing holds no record: 1 other files", ".csv tables"),
+        ("nothing", "nothing holds no record: one other file", ".csv tables"),
         ("nothing/notes.txt", "of no kind that is identified by its ending", ".csv tables"),
         ("absent.csv", "absent.csv cannot be read", "are there"),
         ("empty.csv", "empty.csv is empty", "leave it out"),

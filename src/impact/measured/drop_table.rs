@@ -102,7 +102,7 @@ fn table(bytes: &[u8]) -> Result<DropTable, (SourcePosition, Fault)> {
         rows.push(one);
     }
     if rows.is_empty() {
-        return Err((SourcePosition::Whole, Fault::Empty));
+        return Err((SourcePosition::Whole, Fault::NoRows));
     }
     Ok(DropTable { columns: others.into_iter().map(|at| names[at].clone()).collect(), rows })
 }

@@ -32,7 +32,7 @@ pub enum Fault {
         what: String,
     },
     /// A folder without records.
-    #[error("holds no record: {others} other files")]
+    #[error("holds no record{}", besides(*others))]
     NoRecords {
         /// Files that are none.
         others: usize,
@@ -40,9 +40,9 @@ pub enum Fault {
     /// Nothing in it.
     #[error("is empty")]
     Empty,
-    /// A table that a person writes, with no row below its header.
-    #[error("has no reading below its header")]
-    NoReadings,
+    /// A table with nothing but the names of its columns.
+    #[error("has no row below its header")]
+    NoRows,
     /// Text of another encoding.
     #[error("is {encoding} text")]
     Encoding {
@@ -212,6 +212,15 @@ fn written(value: f64) -> String {
     if value.abs() < LONG { value.to_string() } else { format!("{value:e}") }
 }
 
+/// What a folder without records has, as a clause.
+fn besides(others: usize) -> String {
+    match others {
+        0 => ", and no other file".into(),
+        1 => ": one other file".into(),
+        _ => format!(": {others} other files"),
+    }
+}
+
 impl Fault {
     /// What to do.
     pub fn remedy(&self) -> String {
@@ -222,7 +231,7 @@ impl Fault {
             }
             Self::Encoding { .. } => "save it as UTF-8; spreadsheets call this CSV UTF-8".into(),
             Self::Empty => "leave it out, or copy it again from the logger".into(),
-            Self::NoReadings => "write a row for each reading below the line that names the columns".into(),
+            Self::NoRows => "leave it out, or write its rows below the line that names the columns".into(),
             Self::Huge { .. } => "split it: a drop of 2 s at 1 kHz has 20 000 bytes".into(),
             Self::Truncated { .. } => "copy it again from the logger, or leave it out".into(),
             Self::Counts { .. } => {

@@ -51,5 +51,5 @@ pub(super) fn rows<T, const N: usize>(
         let line = lines.at(row.position());
         said.push(read(&row, line, places).map_err(|fault| (SourcePosition::Line(line), fault))?);
     }
-    if said.is_empty() { Err((SourcePosition::Whole, Fault::NoReadings)) } else { Ok(said) }
+    if said.is_empty() { Err((SourcePosition::Whole, Fault::NoRows)) } else { Ok(said) }
 }

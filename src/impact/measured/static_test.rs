@@ -124,7 +124,7 @@ mod tests {
             ("displacement_mm\n1\n", SourcePosition::Line(1), "lacks the column `force_n`"),
             ("displacement_mm,force_n\n1,x\n", SourcePosition::Line(2), "`force_n` is `x`"),
             ("displacement_mm,force_n\n-1,2\n", SourcePosition::Line(2), "out of bounds"),
-            ("displacement_mm,force_n\n", SourcePosition::Whole, "has no reading below its header"),
+            ("displacement_mm,force_n\n", SourcePosition::Whole, "has no row below its header"),
             ("displacement_mm,force_n\n0,0\n", SourcePosition::Whole, "is 0 in every row"),
         ] {
             let (at, fault) = rows(text.as_bytes()).expect_err("is refused");

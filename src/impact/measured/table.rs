@@ -279,7 +279,7 @@ pub(super) fn records(bytes: &[u8], source: &str, label: Option<&Label>, format:
         builder.row(&row).map_err(|fault| (SourcePosition::Line(RowLines::of(bytes, false).at(row.position())), fault))?;
     }
     if builder.records.is_empty() {
-        return Err((SourcePosition::Whole, Fault::Empty));
+        return Err((SourcePosition::Whole, Fault::NoRows));
     }
     builder.one_height_each().map_err(|fault| (SourcePosition::Whole, fault))?;
     let stamped_hz = Spread::of(builder.stamps.values().filter_map(Stamps::rate_hz)).map(|spread| spread.median);
@@ -423,7 +423,7 @@ mod tests {
         let head = "trial,height_m,t_s,accel_g\n";
         let cases = [
             ("", SourcePosition::Whole, "is empty"),
-            (head, SourcePosition::Whole, "is empty"),
+            (head, SourcePosition::Whole, "has no row below its header"),
             (
                 "trial:height_m:t_s:accel_g\n1:2:3:4\n",
                 SourcePosition::Line(1),
