@@ -20,7 +20,7 @@ use crate::impact::diagnose::{ComparedAxes, Diagnosis, EffectEstimate, Gap, Stag
 use crate::impact::effects::{Model, PAYLOAD_MODE};
 use crate::impact::frame_fit::{CURVE_MM, reduced_model};
 use crate::impact::measured::{DropSet, DropTable, StaticTest};
-use crate::impact::request::{Compared, DiagnosisRequest, MOST_EFFECTS, RequestError};
+use crate::impact::request::{Compared, DiagnosisRequest, MOST_EFFECTS, RequestError, usual_model};
 use crate::impact::sim::HEIGHTS_M;
 use crate::mechanics::model::frame_model::{Extent, FrameModel};
 use crate::mechanics::result::static_curve::StaticCurve;
@@ -32,15 +32,16 @@ use crate::report::page::document::{Block, html, markdown};
 /// Find where a model and measured drops disagree, name the missing effect, add it, and report the remaining gap.
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "Examples:\n  flexframe diagnose --model paper-corrected soft_050cm soft_100cm\n  flexframe diagnose drops.csv --model paper --hold-out-heights 2.0 --max-effects 2 --seed 1 --json\n\nA preset's name or a .toml file among the drops is the frame. Its mass and gap replace those of the model.\nExit code 0: nothing is missing; 1: something is. docs/diagnosis.md explains the method."
+    after_help = "Examples:\n  flexframe diagnose soft_050cm soft_100cm\n  flexframe diagnose drops.csv --model paper --hold-out-heights 2.0 --max-effects 2 --seed 1 --json\n\nA preset's name or a .toml file among the drops is the frame. Its mass and gap replace those of the model.\nExit code 0: nothing is missing; 1: something is. docs/diagnosis.md explains the method."
 )]
 pub(super) struct Args {
     /// Which drops.
     #[command(flatten)]
     pub drops: DropsOption,
-    /// Impact model: `paper`, `paper-corrected` or a TOML file; its k and c are starting values.
-    #[arg(long, default_value = "paper", value_name = "MODEL", add = candidates::models())]
-    pub model: String,
+    /// Impact model: `paper`, `paper-corrected` or a TOML file; its k and c are starting values [default: `paper-corrected` for drops with
+    /// lateral axes, or else `paper`].
+    #[arg(long, value_name = "MODEL", add = candidates::models())]
+    pub model: Option<String>,
     /// Add the static force curve of this frame to the candidates; its share is fitted to the drops.
     #[arg(long, value_name = "FRAME", add = candidates::frames())]
     pub frame: Option<String>,
@@ -78,16 +79,17 @@ pub(super) struct Args {
 pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     DiagnosisRequest::bounds(args.max_effects).map_err(usage)?;
     let (frame, paths) = frame_and_paths(&args.drops)?;
-    let model = compared_model(&args.model)?;
+    let named = args.model.as_deref().map(compared_model).transpose()?;
     let most = args.max_effects;
     let working = Progress::staged("diagnosing", Stage::count(most), common);
+    let (set, covariates) = drops(args, &paths)?;
+    let model = named.map_or_else(|| compared_model(usual_model(&set)), Ok)?;
     let mut model = with_body_of(frame.clone(), model, common)?;
     if let Some(frame) = &args.frame {
         let own = reduced(frame, args.mechanics.as_deref(), common)?;
         model.frame_mode = own.value(PAYLOAD_MODE.id, "mu").zip(own.value(PAYLOAD_MODE.id, "f_hz")).map(|(mu, f_hz)| [mu, f_hz]);
         model.frame_curve = own.frame_curve;
     }
-    let (set, covariates) = drops(args, &paths)?;
     let static_test = args.static_test.as_deref().map(StaticTest::read).transpose()?;
     let request = DiagnosisRequest {
         model,
@@ -112,7 +114,9 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     if common.json {
         terminal::print_json(&json)?;
     } else if !common.quiet {
-        terminal::print(&format!("{}{}: {} files\n", summary(&found, &compared), place.display(), files.len()))?;
+        let usual =
+            if args.model.is_none() { format!("model {name}, the default for such drops; --model names another\n") } else { String::new() };
+        terminal::print(&format!("{usual}{}{}: {} files\n", summary(&found, &compared), place.display(), files.len()))?;
     }
     Ok(if found.verdict == Verdict::NothingMissing { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }

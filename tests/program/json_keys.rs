@@ -48,7 +48,7 @@ fn regress_json_keeps_its_keys() {
     let drops = "synthesize-plan/drops";
     insta::assert_snapshot!("measure_keys", keys(folder, &["measure", drops]));
     insta::assert_snapshot!("fit_keys", keys(folder, &["fit", "--model", "paper-corrected", "--bootstrap", "0", drops]));
-    insta::assert_snapshot!("diagnose_keys", keys(folder, &["diagnose", "--model", "paper-corrected", "--max-effects", "1", drops]));
+    insta::assert_snapshot!("diagnose_keys", keys(folder, &["diagnose", "--max-effects", "1", drops]));
     insta::assert_snapshot!("drop_frame_keys", keys(folder, &["drop", "cognifly-v8", "--model", "frame", "--height", "0.5"]));
     insta::assert_snapshot!("stiffness_keys", keys(folder, &["stiffness", "cognifly-v8"]));
 }

@@ -38,6 +38,12 @@ pub struct DiagnosisRequest<'a> {
     pub seed: u64,
 }
 
+/// The model that drops are compared with where none is named: `paper`, or with lateral axes `paper-corrected`. The magnitude, which `paper` states,
+/// contains sideways motion, and landings that are not level are judged beside the axis only.
+pub fn usual_model(drops: &DropSet) -> &'static str {
+    if drops.records().any(|record| record.axes_g.is_some()) { "paper-corrected" } else { "paper" }
+}
+
 /// Why there is no diagnosis.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum RequestError {

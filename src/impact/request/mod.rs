@@ -9,5 +9,5 @@ mod diagnosis_request;
 mod separating_experiment;
 
 pub use compared::Compared;
-pub use diagnosis_request::{DiagnosisRequest, MOST_EFFECTS, RequestError};
+pub use diagnosis_request::{DiagnosisRequest, MOST_EFFECTS, RequestError, usual_model};
 pub use separating_experiment::SeparatingExperiment;

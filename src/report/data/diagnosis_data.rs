@@ -213,6 +213,7 @@ fn effects(diagnosis: &Diagnosis) -> Value {
 fn base(diagnosis: &Diagnosis) -> Value {
     let [k, c] = diagnosis.base.model().stiffness_and_damping();
     json!({
+        "model": diagnosis.base.model().name,
         "before": rounded(json!({ "k": k, "c": c })),
         "after": rounded(json!(estimates(diagnosis, &[LINEAR_SPRING.id, LINEAR_DAMPER.id]))),
         "body": drop_data::body(&diagnosis.base.model().body),

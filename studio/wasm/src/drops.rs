@@ -4,7 +4,7 @@ use flexframe::impact::body::DropBody;
 use flexframe::impact::diagnose::Stage;
 use flexframe::impact::effects::Model;
 use flexframe::impact::measured::{FileFormat, JudgedDrops, read_bytes};
-use flexframe::impact::request::DiagnosisRequest;
+use flexframe::impact::request::{DiagnosisRequest, usual_model};
 use flexframe::impact::sim::{SolverOptions, System, Trace, check_heights, simulate};
 use flexframe::impact::synthetic::{Plan, records, table};
 use flexframe::params::ImpactFile;
@@ -41,6 +41,10 @@ pub fn dropped(model: &Model, heights_m: &[f64], trace: bool) -> Result<Answer, 
 
 /// How a diagnosis is to be done.
 pub struct Course<'a> {
+    /// A model's name or attached file; without one, that which is usual for such drops.
+    pub model: Option<&'a str>,
+    /// The frame whose mass and gap hold instead of the model's.
+    pub frame: Option<&'a OpenFrame>,
     /// How the drops are written.
     pub format: &'a FileFormat,
     /// Heights that no fit sees, m.
@@ -55,10 +59,11 @@ pub struct Course<'a> {
 ///
 /// # Errors
 /// What the command line refuses.
-pub fn diagnosed(model: Model, request: &Request, course: &Course) -> Result<Answer, Refused> {
-    let Course { format, hold_out_heights_m, max_effects, seed } = *course;
+pub fn diagnosed(request: &Request, course: &Course) -> Result<Answer, Refused> {
+    let Course { model: named, frame, format, hold_out_heights_m, max_effects, seed } = *course;
     DiagnosisRequest::bounds(max_effects).map_err(Refused::plain)?;
     let drops = read_bytes(&tables(request), format)?;
+    let model = model(named.unwrap_or_else(|| usual_model(&drops)), request, frame)?;
     let asked =
         DiagnosisRequest { model, drops: &drops, axes: None, hold_out_heights_m, static_test: None, covariates: &[], max_effects, seed };
     let stage = |stage: Stage| tell_stage(stage.before(max_effects), Stage::count(max_effects), &stage.words());

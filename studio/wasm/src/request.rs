@@ -137,8 +137,8 @@ pub enum Wanted {
     },
     /// What a model lacks, as of `diagnose --json`; the attached tables and logger's files are the drops.
     Diagnose {
-        /// A model's name or attached file.
-        model: String,
+        /// A model's name or attached file; without one, that which is usual for such drops.
+        model: Option<String>,
         /// The frame whose mass and gap hold instead of the model's.
         handle: Option<Handle>,
         /// How the tables are written.

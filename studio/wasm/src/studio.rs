@@ -83,8 +83,9 @@ impl Studio {
             Wanted::Measure { written } => drops::measured(&written.format()?, &request),
             Wanted::Synthesize { plan } => drops::synthesized(plan, &request),
             Wanted::Diagnose { model, handle, written, hold_out_heights_m, max_effects, seed } => {
-                let course = Course { format: &written.format()?, hold_out_heights_m, max_effects: *max_effects, seed: *seed };
-                drops::diagnosed(drops::model(model, &request, self.maybe(*handle)?)?, &request, &course)
+                let (format, frame) = (&written.format()?, self.maybe(*handle)?);
+                let course = Course { model: model.as_deref(), frame, format, hold_out_heights_m, max_effects: *max_effects, seed: *seed };
+                drops::diagnosed(&request, &course)
             }
         }
     }

@@ -93,8 +93,8 @@ export type Estimate = { value: number; unit: string; ci95: [number, number] };
 export type Diagnosed = {
   verdict: "named" | "ambiguous" | "none_suffices" | "nothing_missing";
   reasons: string[];
-  /** The model's body, and its own parameters as they were refitted. */
-  base: { body: { mass_kg: number; gap_mm: number; from: string }; after: Record<string, Estimate> };
+  /** The model, its body, and its own parameters as they were refitted. */
+  base: { model: string; body: { mass_kg: number; gap_mm: number; from: string }; after: Record<string, Estimate> };
   effects: { id: string; parameters: Record<string, Estimate> }[];
   held_out_heights_m: number[];
   gap: {

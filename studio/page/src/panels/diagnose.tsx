@@ -44,7 +44,9 @@ let unreadable: Attached | null = null;
 /** Whose mass and gap the model has. */
 const bodyOf = signal<"model" | "frame">("model");
 const judged = new FrameSlot(diagnoser);
-const model = signal("paper");
+/** The model that is usual for such drops. */
+const USUAL = "";
+const model = signal(USUAL);
 const most = signal(3);
 const making = new Work<void>();
 const reading = new Work<Measured>();
@@ -188,15 +190,15 @@ async function diagnose(): Promise<void> {
     const request = {
       do: "diagnose",
       handle: frame && (await judged.opened(frame)).handle,
-      model: model.value,
+      ...(model.value !== USUAL && { model: model.value }),
       max_effects: most.value,
       hold_out_heights_m: held,
       written: asWritten(),
     };
     const without = held.length > 0 ? `; no fit sees the drops from ${held.join(", ")} m` : "";
-    const of = `Of the model ${model.value}, with at most ${most.value} ${most.value === 1 ? "effect" : "effects"}${without}`;
+    const effects = `${most.value} ${most.value === 1 ? "effect" : "effects"}`;
     const { answer, files } = await diagnoser.ask<Diagnosed>(request, drops.value, onStage);
-    return { found: answer, files, of };
+    return { found: answer, files, of: `Of the model ${answer.base.model}, with at most ${effects}${without}` };
   });
 }
 
@@ -224,7 +226,7 @@ export function Diagnose() {
       {measured && <Records measured={measured} names={names} onLeaveOut={leaveOut} />}
       {measured && (
         <div class="row">
-          <ModelSelect label="Model of the diagnosis" model={model} />
+          <ModelSelect label="Model of the diagnosis" model={model} own={[USUAL, "as the drops' axes suit"]} />
           <label>
             Effects at most{" "}
             <select
