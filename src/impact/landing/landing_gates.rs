@@ -23,7 +23,7 @@ fn is_open(estimate: &EffectEstimate) -> bool {
 impl LandingAssessment {
     /// Each test, beside the best set of effects along the vertical.
     pub(super) fn gates(&self, diagnosis: &Diagnosis) -> Vec<Gate> {
-        vec![self.touches(), self.held_out(diagnosis), self.drops(), self.constant(), self.plausible(), self.enough(), self.spread()]
+        vec![self.touches(), self.held_out(diagnosis), self.drops(), self.constant(), self.plausible(diagnosis), self.enough(), self.spread()]
     }
 
     /// Whether the touch times are those of feet in one plane.
@@ -120,7 +120,7 @@ impl LandingAssessment {
     }
 
     /// Whether the drops tell every parameter within its bounds.
-    fn plausible(&self) -> Gate {
+    fn plausible(&self, diagnosis: &Diagnosis) -> Gate {
         let keys = |those: &dyn Fn(&EffectEstimate) -> bool| -> Vec<&str> {
             self.estimates.iter().filter(|estimate| those(estimate)).map(|estimate| estimate.key).collect()
         };
@@ -128,9 +128,18 @@ impl LandingAssessment {
         let found = match (&at_bound[..], &open[..]) {
             ([], []) => "no parameter ended at its bound".into(),
             ([], open) => format!("the 95 % interval of {} ends at a bound: the drops do not tell it", open.join(", ")),
-            (at_bound, _) => format!("{} ended at its bound", at_bound.join(", ")),
+            (at_bound, _) => format!("{} ended at its bound{}", at_bound.join(", "), self.undamped(diagnosis)),
         };
         Gate { id: "plausible", passed: at_bound.is_empty() && open.is_empty(), found }
+    }
+
+    /// Why legs may seem to have no damping, as a clause: a filter that the sensor does not have takes its place.
+    fn undamped(&self, diagnosis: &Diagnosis) -> String {
+        let is_least = |estimate: &EffectEstimate| estimate.key == "c" && estimate.at_bound && estimate.value <= estimate.ci95[0];
+        if !self.estimates.iter().any(is_least) {
+            return String::new();
+        }
+        format!("; the model's filter of {:.0} Hz smooths as damping does: is it the sensor's?", diagnosis.base.model().sensor.cutoff_hz)
     }
 
     /// What is left of mean waves, and of single drops given their touches, in a sentence.

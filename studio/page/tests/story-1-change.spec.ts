@@ -69,6 +69,7 @@ test("a value, a name and a file that is asked for while another value is comput
     await field.fill(value);
     await field.press("Enter");
   }
+  await expect(name).toHaveValue("late");
   const waiting = page.waitForEvent("download");
   await page.getByRole("button", { name: /^Frame file/ }).click();
   const file = await waiting;

@@ -1,7 +1,7 @@
 // Which frame: the preset, the name of its file, undo and redo.
 import { effect, useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
-import { canRedo, canUndo, doc, presets, redo, rename, take, undo } from "../state/studio.ts";
+import { canRedo, canUndo, doc, fileName, presets, redo, rename, take, undo } from "../state/studio.ts";
 import { complain } from "../state/notice.ts";
 import { ofPreset } from "../state/doc.ts";
 import type { Theme } from "../state/theme.ts";
@@ -45,7 +45,7 @@ export function Header() {
     draft.value = null;
     if (plainName(name)) return rename(name);
     // The name stays, and the field shows it.
-    field.value = doc.value.name;
+    field.value = fileName.value;
     complain(
       `“${name.slice(0, 80)}” is no name of a file: it has letters, digits, “-”, “_” and “.”, 100 at the most, and does not begin with “.”.`,
     );
@@ -72,8 +72,8 @@ export function Header() {
         <input
           type="text"
           aria-label="Name of the frame's file"
-          data-typed={draft.value !== null && draft.value !== doc.value.name}
-          value={draft.value ?? doc.value.name}
+          data-typed={draft.value !== null && draft.value !== fileName.value}
+          value={draft.value ?? fileName.value}
           onInput={(event) => (draft.value = event.currentTarget.value)}
           onChange={(event) => takeName(event.currentTarget)}
           onBlur={() => (draft.value = null)}

@@ -34,6 +34,10 @@ export const refused = signal<{ refusal: Refusal; key: string | null; editable: 
 export const computing = signal(false);
 /** Values that are not those of the picture: set and not in the text yet, or of a file that is refused. */
 export const pending = signal<Record<string, Setting | null>>({});
+/** The name that the frame file gets, until it has it. */
+const renamed = signal<string | null>(null);
+/** The frame file's name as it was given last. */
+export const fileName = computed(() => renamed.value ?? doc.value.name);
 /** What the checks found; `strength`: with the drop by the frame's own mechanics. */
 export const findings = signal<{ of: Finding[]; all: boolean; strength: boolean; identity: string } | null>(null);
 /** How many limits are violated, as far as is known. */
@@ -137,9 +141,10 @@ export function set(values: Record<string, Setting | null>): void {
 }
 
 /** Gives the frame file another name. */
-export function rename(name: string): void {
+export function rename(to: string): void {
   quiet();
-  change({ set: {}, name, gesture: history.gesture(null) }, null);
+  renamed.value = to;
+  change({ set: {}, name: to, gesture: history.gesture(null) }, null);
 }
 
 /** Changes the frame file as it was left last, after what waits already. */
@@ -171,6 +176,7 @@ export async function whenTaken(): Promise<void> {
 export function take(next: Doc, { record = true, group = null as string | null } = {}): void {
   quiet();
   pending.value = {};
+  renamed.value = null;
   if (group !== "text") replaced.value += 1;
   const gesture = history.gesture(group);
   want({ doc: next, gesture: record ? gesture : null, changes: [], onTop: false, group, begun: performance.now() });
@@ -199,6 +205,7 @@ function isStep(of: Wanted | null): boolean {
 /** A change is in the frame file: whoever waited for the last one goes on. */
 function settled(): void {
   underway = null;
+  if (!wanted?.changes.some(({ name }) => name !== undefined)) renamed.value = null;
   if (!isStep(wanted)) for (const go of forHistory.splice(0)) go();
   if (!wanted) for (const go of forFile.splice(0)) go();
 }
@@ -419,6 +426,7 @@ type Opening = { doc: Doc; values: Record<string, Setting | null> };
 /** Takes the frame of a link with its values, as one step. */
 function takeLinked({ doc: of, values }: Opening, begun: number): void {
   pending.value = values;
+  renamed.value = null;
   replaced.value += 1;
   const changes = [{ set: values, gesture: history.gesture(null) }];
   want({ doc: of, gesture: null, changes, onTop: false, group: null, begun, linked: true });
