@@ -205,6 +205,12 @@ test("what is being typed into a field stays when a result arrives, and is taken
   await strut.press("Enter");
   await settled(page);
   await expect(page.getByText("changed (2)")).toBeVisible();
+  // Escape gives up what is being typed.
+  await strut.fill("60");
+  await strut.press("Escape");
+  await expect(strut).toHaveValue("51.2");
+  await arm.focus();
+  await expect(strut).toHaveValue("51.2");
   // What is no number is taken back when the field is left, with the reason.
   const field = page.locator('[data-key="rods.strut_rod_length_mm"]');
   for (const typed of ["0x50", "51 mm", "1.234,5", "x"]) {

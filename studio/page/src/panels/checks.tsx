@@ -142,7 +142,11 @@ function Rule({ group }: { group: Group }) {
           ))}
         </ul>
       )}
-      {!open && bad.length > shown.length && <p class="more">and {bad.length - shown.length} more</p>}
+      {!open && bad.length > shown.length && (
+        <button type="button" class="link more" onClick={toggle}>
+          and {bad.length - shown.length} more
+        </button>
+      )}
     </li>
   );
 }

@@ -76,6 +76,11 @@ export function Header() {
           value={draft.value ?? fileName.value}
           onInput={(event) => (draft.value = event.currentTarget.value)}
           onChange={(event) => takeName(event.currentTarget)}
+          onKeyDown={(event) => {
+            if (event.key !== "Escape") return;
+            draft.value = null;
+            event.currentTarget.value = fileName.value;
+          }}
           onBlur={() => (draft.value = null)}
         />
       </label>

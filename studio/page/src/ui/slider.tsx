@@ -89,6 +89,11 @@ export function Slider({
             untaken.value = null;
           }}
           onChange={(event) => take(event.currentTarget.value)}
+          onKeyDown={(event) => {
+            if (event.key !== "Escape") return;
+            draft.value = null;
+            event.currentTarget.value = short(value, 4);
+          }}
           onBlur={() => (draft.value = null)}
         />
         <span class="unit" aria-hidden="true">
