@@ -4,7 +4,7 @@ use nalgebra::DVector;
 
 use super::dictionary::{Dictionary, Start};
 use crate::impact::effects::Model;
-use crate::impact::fit::{FitProblem, Fitted, Layout, inverse};
+use crate::impact::fit::{FitProblem, Fitted, Free, Layout, inverse};
 
 /// What a free parameter has to earn, in the sum of squares.
 pub const PRICE: f64 = 5.0;
@@ -46,12 +46,13 @@ impl Candidate {
         on_top.map(|listed| listed.spec.id).collect()
     }
 
-    /// Parameters on top of the base at a bound where no estimate may end, in words.
+    /// Parameters at a bound where no estimate may end, in words. Of the base it is stiffness: without it, effects have taken its place.
     pub fn implausible(&self) -> Vec<String> {
         let minimum = &self.fitted.minimum;
-        let free = self.fitted.layout.free.iter().zip(minimum.at_bound.iter().zip(&minimum.at)).skip(2);
-        free.filter(|(free, (at_bound, at))| **at_bound && !free.may_end_at(**at))
-            .map(|(free, _)| format!("{} of {}", free.key(), free.spec.id))
+        let free = self.fitted.layout.free.iter().zip(minimum.at_bound.iter().zip(&minimum.at)).enumerate();
+        let may_end = |at: usize, free: &Free, value: f64| at == 1 || at > 1 && free.may_end_at(value);
+        free.filter(|(place, (free, (at_bound, at)))| **at_bound && !may_end(*place, free, **at))
+            .map(|(_, (free, _))| format!("{} of {}", free.key(), free.spec.id))
             .collect()
     }
 

@@ -10,8 +10,8 @@ use super::verdict::Verdict;
 use crate::impact::effects::Model;
 use crate::impact::fit::Waves;
 
-/// Where nothing is named, or several effects together: the diagnosis with other estimates of how drops vary. It counts where it explains
-/// the drops, and with fewer effects than were named. `None` elsewhere.
+/// Where nothing is named, or several effects together, or more than the model has already: the diagnosis with other estimates of how drops vary.
+/// It counts where it explains the drops, and with fewer effects than were named. `None` elsewhere.
 pub(super) fn judged_again(
     found: &Diagnosis,
     prepared: &PreparedDrops,
@@ -27,6 +27,19 @@ pub(super) fn judged_again(
         let search = Search::run(&setting, model)?;
         let is_enough = search.levels.last()?.adequacy.p >= RARE;
         is_enough.then(|| Diagnosis::of(prepared, &setting, &search, fitted, held_out, model, settings))?
+    };
+    // The wave of spring and damper alone is not that of a model with effects, and drops seem to vary in another way around it.
+    let around_given = || {
+        let prepared = PreparedDrops::around(fitted, search.not_enough.as_ref()?.0.model())?;
+        let bootstrap = Bootstrap::of(fitted, &prepared.trial_covariance, &prepared.covariance_model, settings.seed)?;
+        let setting =
+            SearchContext { problem: &prepared.problem, bootstrap: &bootstrap, catalogue: settings.catalogue, most: 1, stage: &|_| () };
+        let search = Search::as_given(&setting, model)?;
+        let mut again = Diagnosis::of(&prepared, &setting, &search, fitted, held_out, model, settings)?;
+        again
+            .reasons
+            .push("how drops vary was estimated with the wave of the model as it was given, and not of its spring and damper alone".into());
+        Some(again)
     };
     let around_best_single = || {
         let best = search.levels.get(1).filter(|level| is_open && level.adequacy.p < RARE)?.candidates.first()?;
@@ -55,5 +68,5 @@ pub(super) fn judged_again(
         again.reasons.push("the drops seem to differ in stiffness or damping, but are explained better where they do not".into());
         Some(again)
     };
-    around_best_single().or_else(alike)
+    around_given().or_else(around_best_single).or_else(alike)
 }

@@ -62,9 +62,7 @@ impl Search {
     /// Searches from a model's base on; `None` when the base cannot be fitted.
     pub fn run(setting: &SearchContext, model: &Model) -> Option<Self> {
         let not_enough = match setting.given(model) {
-            Some(level) if level.adequacy.p >= RARE && setting.may_be(&level.candidates[0]) => {
-                return Some(Self { levels: vec![level], not_enough: None });
-            }
+            Some(level) if setting.is_enough(&level) => return Some(Self { levels: vec![level], not_enough: None }),
             given => given.map(|Level { mut candidates, adequacy }| (candidates.remove(0), adequacy.p)),
         };
         let base = Candidate::base(setting.problem, model)?;
@@ -97,6 +95,12 @@ impl Search {
         }
         Some(Self { levels, not_enough })
     }
+
+    /// The model with the effects that it has already, where they are enough.
+    pub fn as_given(setting: &SearchContext, model: &Model) -> Option<Self> {
+        let level = setting.given(model).filter(|level| setting.is_enough(level))?;
+        Some(Self { levels: vec![level], not_enough: None })
+    }
 }
 
 impl SearchContext<'_> {
@@ -106,6 +110,11 @@ impl SearchContext<'_> {
         let seen = LinearisedFit { jacobian, effects: dictionary.columns.clone(), samples: self.problem.expected.samples };
         let deviation = self.problem.measured() - self.problem.prediction(candidate.model())?;
         judge(&deviation, &seen, self.bootstrap)
+    }
+
+    /// Whether the best of a level explains the drops, and may be.
+    fn is_enough(&self, level: &Level) -> bool {
+        level.adequacy.p >= RARE && self.may_be(&level.candidates[0])
     }
 
     /// A model with the effects that it has already.

@@ -8,8 +8,9 @@ use super::chosen_model::ChosenModel;
 use super::evidence::TouchEvidence;
 use super::fitting::{LandingFit, LandingProblem};
 use super::foot_mode::FOOT_MODE;
-use super::gaps::{LandingGaps, Window, as_read, gaps_of_one_height, held_out_ci95_g, held_out_gaps, left_out_gaps};
+use super::gaps::{LandingGaps, Window, as_read, gaps_of_one_height, held_out_ci95_g, held_out_gaps, held_out_peaks, left_out_gaps};
 use super::gate::Gate;
+use super::height_peaks::HeightPeaks;
 use super::landing_evidence::LandingEvidence;
 use super::landing_scatter::LandingScatter;
 use super::legged_body::{COULOMB_FRICTION, LeggedBody};
@@ -85,6 +86,8 @@ pub struct LandingAssessment {
     pub separating: Option<SeparatingDrops>,
     /// How readings and touch times of the fitted heights spread.
     pub spreads: Vec<HeightSpread>,
+    /// Peaks of all heights beside those of the landings, heights that no fit saw last.
+    pub peaks: Vec<HeightPeaks>,
     /// One drop from the highest of them.
     pub shown: Option<ShownDrop>,
     /// How the sensor leans. Where that is named, everything else here is of the readings turned back.
@@ -147,6 +150,11 @@ impl LandingAssessment {
         let heights = slopes_by_height(&fitted_touches, &tables, &fit)?;
         let spreads = fitted_touches.heights.iter().zip(tables.iter()).map(|(height, table)| HeightSpread::of(height, table, &fit.slopes));
         let spreads = spreads.collect();
+        let mut peaks: Vec<HeightPeaks> =
+            fitted_touches.heights.iter().zip(tables.iter()).filter_map(|(height, table)| HeightPeaks::of(height, table)).collect();
+        if let Some((waves, touches)) = &held {
+            peaks.extend(held_out_peaks(&problem, &fit, waves, touches)?);
+        }
         let samples = waves.expected.samples;
         let windows = evidence
             .fitted
@@ -172,6 +180,7 @@ impl LandingAssessment {
             covariates,
             separating,
             spreads,
+            peaks,
             shown,
             attitude,
             gates: Vec::new(),

@@ -6,6 +6,7 @@ use rand::seq::SliceRandom;
 use rand_pcg::Pcg64;
 
 use super::fitting::{LandingFit, LandingProblem};
+use super::height_peaks::HeightPeaks;
 use super::legged_body::{Legs, Slopes};
 use super::observed::{ObservedLanding, ObservedLandings};
 use super::population::Population;
@@ -172,6 +173,13 @@ pub fn as_read(problem: &LandingProblem, fit: &LandingFit, held: &Waves, touches
     let unread = LandingProblem { waves: &waves, observed: touches, ..problem.clone() };
     let errors = touches.with_errors(&unread.tables(&fit.legs, &fit.slopes)?, &fit.slopes);
     Some(errors.read_no_better(problem.observed.least_read_s()))
+}
+
+/// Peaks of heights that no fit saw, beside those of landings of the fitted legs there.
+pub fn held_out_peaks(problem: &LandingProblem, fit: &LandingFit, held: &Waves, touches: &ObservedLandings) -> Option<Vec<HeightPeaks>> {
+    let waves = waves_of(problem, held);
+    let tables = problem.at(&waves).tables(&fit.legs, &fit.slopes)?;
+    Some(touches.heights.iter().zip(tables.iter()).filter_map(|(height, table)| HeightPeaks::of(height, table)).collect())
 }
 
 /// Waves of other heights than the fitted ones; whitening is of these, and not asked for.

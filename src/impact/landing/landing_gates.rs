@@ -2,6 +2,7 @@
 
 use super::assessment::LandingAssessment;
 use super::gate::Gate;
+use super::height_peaks::HeightPeaks;
 use super::parameter::{PARAMETERS, Parameter};
 use super::sensor_attitude::ATTITUDE_SENSOR;
 use super::touch_adequacy::TouchAdequacy;
@@ -20,10 +21,26 @@ fn is_open(estimate: &EffectEstimate) -> bool {
     high >= max * (1.0 - 1e-6) || parameter.unit == "Hz" && low <= min * (1.0 + 1e-6)
 }
 
+fn beyond_words(peaks: &HeightPeaks) -> String {
+    let HeightPeaks { height_m, upper_quartile_g, largest_g, .. } = peaks;
+    format!(
+        "a quarter of the drops from {height_m} m read {upper_quartile_g:.0} g or more, where no landing on these legs reads more than {largest_g:.0} g: a \
+         force is missing, as that of a stop"
+    )
+}
+
 impl LandingAssessment {
     /// Each test, beside the best set of effects along the vertical.
     pub(super) fn gates(&self, diagnosis: &Diagnosis) -> Vec<Gate> {
-        vec![self.touches(), self.held_out(diagnosis), self.drops(), self.constant(), self.plausible(diagnosis), self.enough(), self.spread()]
+        vec![
+            self.touches(),
+            self.held_out(diagnosis),
+            self.drops(),
+            self.constant(),
+            self.plausible(diagnosis),
+            self.enough(),
+            self.spread(),
+        ]
     }
 
     /// Whether the touch times are those of feet in one plane.
@@ -112,11 +129,13 @@ impl LandingAssessment {
 
     /// Whether single drops spread as those of random slopes do.
     fn spread(&self) -> Gate {
-        let found = format!(
+        let spread = format!(
             "peaks, impulses and their half times of single drops spread as those of random slopes do with p = {}",
             p_value(self.spread_p)
         );
-        Gate { id: "spread", passed: self.spread_p >= RARE, found }
+        let beyond: Vec<String> = self.peaks.iter().filter(|peaks| peaks.are_beyond()).map(beyond_words).collect();
+        let found = std::iter::once(spread).chain(beyond.iter().cloned()).collect::<Vec<_>>().join("; ");
+        Gate { id: "spread", passed: self.spread_p >= RARE && beyond.is_empty(), found }
     }
 
     /// Whether the drops tell every parameter within its bounds.

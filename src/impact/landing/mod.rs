@@ -22,6 +22,7 @@ mod fitting;
 mod foot_mode;
 mod gaps;
 mod gate;
+mod height_peaks;
 mod kept_tables;
 mod landing_evidence;
 mod landing_gates;

@@ -27,8 +27,8 @@ pub(super) const HEIGHTS_M: RangeInclusive<f64> = 0.01..=100.0;
 const SPEEDS_M_S: RangeInclusive<f64> = 0.4..=45.0;
 /// Heights computed from speeds are different if they differ by this, m.
 const HEIGHT_STEP_M: f64 = 1e-4;
-/// Times, s.
-const TIMES_S: RangeInclusive<f64> = -1e7..=1e7;
+/// Times, s; those of the clock count from 1970.
+const TIMES_S: RangeInclusive<f64> = -1e10..=1e10;
 /// Accelerations, g.
 const ACCELS_G: RangeInclusive<f64> = -1e5..=1e5;
 /// Readings at the end of a converter of +-230 g, g: a few counts around it.

@@ -16,7 +16,13 @@ pub fn title(diagnosis: &Diagnosis, compared: &Compared) -> String {
     if let Some(landing) = compared.landing.as_ref().filter(|landing| landing.decides()) {
         return format!("Missing: {}", landing.ids().join(" + "));
     }
-    let chosen = joined(&diagnosis.chosen);
+    let (own, lacked): (Vec<&str>, Vec<&str>) = diagnosis.chosen.ids().into_iter().partition(|id| compared.own_effects.contains(id));
+    // A model that has them all has other numbers than it was given.
+    let chosen = if own.is_empty() || lacked.is_empty() {
+        joined(&diagnosis.chosen)
+    } else {
+        format!("{}, beside {} of the model", lacked.join(" + "), own.join(" + "))
+    };
     match diagnosis.verdict {
         Verdict::NothingMissing => "Nothing is missing".into(),
         Verdict::Named => format!("Missing: {chosen}"),
