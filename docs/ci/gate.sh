@@ -5,6 +5,7 @@
 #   FRAMES            presets, files or patterns, separated by spaces; default "frames/*.toml"
 #   FORMAT            github (annotations) or text
 #   STRICT            true: a note whose value exceeds its limit fails
+#   STRENGTH          true: the design drop by the frame's own mechanics is checked and compared, too; some seconds a frame
 #   BASELINE          a list of accepted findings
 #   BASE              a revision; each frame that exists there is compared with it. A frame that is refused there counts as new
 #   FAIL_ON_INCREASE  largest allowed increases against BASE, such as mass=2g, separated by spaces
@@ -26,6 +27,7 @@ frames=("${frames[@]#"$PWD/"}")
 
 options=()
 [[ ${STRICT:-} == true ]] && options+=(--strict)
+[[ ${STRENGTH:-} == true ]] && options+=(--strength)
 [[ -n ${BASELINE:-} ]] && options+=(--baseline "$BASELINE")
 
 check() { "$flexframe" check "${options[@]}" "$@" -- "${frames[@]}"; }
@@ -136,6 +138,7 @@ compare() {
 
 if [[ -n ${BASE:-} ]]; then
     limits=()
+    [[ ${STRENGTH:-} == true ]] && limits+=(--strength)
     read -rd '' -a increases <<<"${FAIL_ON_INCREASE:-}"
     for increase in "${increases[@]}"; do limits+=(--fail-on-increase "$increase"); done
     if ! git rev-parse --show-toplevel >/dev/null; then

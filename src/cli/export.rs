@@ -59,7 +59,8 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let working = Progress::of("exporting", common);
     let design = session::design(&args.frame, common)?;
     let masses = mass::table(&design);
-    let legs = if args.model == FRAME_MODEL { own_legs(&design, &masses, args)? } else { legs_of(&Model::load(&args.model)?) };
+    let given = if args.model == FRAME_MODEL { None } else { Some(Model::load(&args.model)?) };
+    let legs = given.as_ref().map_or_else(|| own_legs(&design, &masses, args), |given| Ok(legs_of(given)))?;
     let model = simulator::model(&design, &masses, legs);
     let files = simulator::files(&model, &formats(args))
         .map_err(|error| Failure::Machine { what: format!("cannot make {}", error.what), error: error.error })?;
@@ -67,6 +68,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         serde_json::to_value(&model).map_err(|error| Failure::Machine { what: "cannot make the JSON".into(), error: error.into() })?;
     drop(working);
     model.legs.doubt.iter().for_each(|doubt| terminal::tell(doubt));
+    given.iter().filter_map(left_out).for_each(|warning| terminal::tell(&warning));
     pulling(&model).iter().for_each(|warning| terminal::tell(warning));
     let place = output::write_folder(&args.output, &format!("{}-simulators", design.frame.name), &files)?;
     if common.json {
@@ -114,6 +116,16 @@ fn pulling(model: &SimulatorModel) -> Vec<String> {
         )
     };
     cannot.map(words).collect()
+}
+
+/// Feet push and never pull, in every simulator.
+const UNILATERAL_CONTACT: &str = "unilateral_contact";
+
+/// What of an impact model the files do not have.
+fn left_out(model: &Model) -> Option<String> {
+    let effects: Vec<&str> = model.acting().map(|(spec, _)| spec.id).filter(|id| *id != UNILATERAL_CONTACT).collect();
+    (!effects.is_empty())
+        .then(|| format!("warning: {} of {} is left out: a simulator's legs are a spring and a damper", effects.join(" and "), model.name))
 }
 
 /// Summary of the exported model.

@@ -3,11 +3,12 @@
 use std::collections::BTreeSet;
 
 use super::frame::Frame;
-use super::frame_file::FrameFile;
+use super::frame_file::{FrameFile, Value};
+use super::roles::ROLES;
 
-/// Tables of own entries, what one of each is called, and how it is chosen.
+/// Tables of own entries, what one of each is called, and how it is chosen; a part under the role of its kind.
 const TABLES: [(&str, &str, &str); 3] = [
-    ("parts", "part", "name it under [bought], such as battery = "),
+    ("parts", "part", "name it under [bought]"),
     ("printers", "printer", "write printer = "),
     ("materials", "material", "name it under [materials], such as rigid = "),
 ];
@@ -28,8 +29,19 @@ pub fn unused(file: &FrameFile, frame: &Frame) -> Vec<String> {
         // A name may have dots in it, a field's name has none.
         let names: BTreeSet<&str> = of_file.filter_map(|(key, _)| Some(key.strip_prefix(&own)?.rsplit_once('.')?.0)).collect();
         let unused = names.into_iter().filter(|name| !chosen.contains(name));
+        let role = |name: &str| {
+            let kind = &file.entries.get(&format!("{own}{name}.kind"))?.value;
+            ROLES
+                .iter()
+                .find(|(.., of_kind)| matches!(kind, Value::Text(kind) if kind == of_kind))
+                .map(|(role, ..)| format!(", such as {role} = \"{name}\""))
+        };
+        let chosen_so =
+            |name: &str| if table == "parts" { format!("{how}{}", role(name).unwrap_or_default()) } else { format!("{how}\"{name}\"") };
         told.extend(
-            unused.map(|name| format!("the {what} {name} is described in {}, and nothing of the frame is one: {how}\"{name}\"", file.name)),
+            unused.map(|name| {
+                format!("the {what} {name} is described in {}, and nothing of the frame is one: {}", file.name, chosen_so(name))
+            }),
         );
     }
     told
@@ -51,7 +63,13 @@ mod tests {
             unused(&file, &frame)
         };
         let found = told("");
-        assert!(found.len() == 2 && found[0].contains("the part my-pack") && found[1].contains("the printer ender-3"), "{found:?}");
+        assert!(
+            found.len() == 2
+                && found[0].contains("the part my-pack")
+                && found[0].ends_with("[bought], such as battery = \"my-pack\"")
+                && found[1].contains("the printer ender-3"),
+            "{found:?}"
+        );
         assert_eq!(told("printer = \"ender-3\"\nbought.battery = \"my-pack\"\n"), Vec::<String>::new());
     }
 }

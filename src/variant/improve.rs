@@ -29,7 +29,11 @@ pub(super) fn improve(search: &Search, most: usize) {
     let left = || end.saturating_sub(search.looked_at()).min(search.left());
     for most in SHARES.iter().take(descents).map(|share| (share * left() as f64) as usize) {
         let far = |values: &Vec<f64>| begun.iter().all(|other| search.problem().distance(values, other) > APART * APART);
-        let Some(start) = ranked(search).into_iter().find(far) else { break };
+        // Where no other start is left, as of one parameter, the frames are for the best one.
+        let Some(start) = ranked(search).into_iter().find(far) else {
+            settle(search, left(), &REGIONS);
+            return;
+        };
         descend(search, &start, REGION, most, false);
         begun.extend(ranked(search).into_iter().next());
         begun.push(start);

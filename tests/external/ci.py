@@ -119,7 +119,7 @@ def github(folder, kept, base, frames="frames/*.toml", wheel="", event="push"):
     commands.mkdir(exist_ok=True)
     (commands / "gh").write_text(STAND_IN_FOR_GH)
     (commands / "gh").chmod(0o755)
-    values = {"inputs.frames": frames, "inputs.wheel": wheel, "inputs.baseline": "", "inputs.strict": "false", "inputs.base": base,
+    values = {"inputs.frames": frames, "inputs.wheel": wheel, "inputs.baseline": "", "inputs.strict": "false", "inputs.strength": "false", "inputs.base": base,
               "inputs.fail-on-increase": "mass=2g", "inputs.comment": "true", "inputs.plates": str(event == "pull_request").lower(),
               "inputs.token": "none", "github.event_name": event, "github.event.pull_request.number": "7", "github.repository": "o/frames",
               "steps.kept.outputs.cache-hit": "true", "steps.install.outcome": "skipped", "steps.plates.outcome": "skipped"}
@@ -228,6 +228,9 @@ def from_anywhere(kept):
     absolute = f"{repository}/frames/light.toml"
     code, said = script("gate.sh", repository, kept, FRAMES=absolute, BASE="main", FAIL_ON_INCREASE="mass=2g")
     result("gate.sh: a frame by its absolute path is compared", code == 1 and "mass grew by 32.00 g" in said, f"exit code {code}: {said}")
+    code, said = script("gate.sh", repository, kept, FRAMES=absolute, BASE="main", STRENGTH="true", FAIL_ON_INCREASE="design_drop.travel=100mm")
+    rows = [line for line in said.splitlines() if line.startswith("| design_drop.")]
+    result("gate.sh: the design drop is compared where it is asked for", code < 2 and len(rows) > 0, f"exit code {code}: {said}")
     outside = repository.parent / "outside.json"
     code, said = script("changes.py", repository, kept, "main", FRAMES=absolute, BASELINE=str(outside))
     result("changes.py: a list outside of the work tree is named, where it is not there", code == 0 and "not checked" in said and "outside.json" in said, said)

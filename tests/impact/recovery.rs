@@ -281,6 +281,31 @@ fn planted_records_that_contradict_a_name_are_told() {
     assert!(found["reasons"].to_string().contains("80 records have the readings of another one"), "{}", found["reasons"]);
 }
 
+/// Drops of a lightly damped frame that leaves the ground, whose stiffness differs from drop to drop, under a model with that effect of its own.
+#[test]
+fn planted_a_model_with_effects_is_judged_by_its_own_wave() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let model = |k: f64, c: f64| {
+        format!(
+            "mass_kg = 0.3\ngap_mm = 16.0\nsensor = {{ cutoff_hz = 500.0, order = 1, limit_g = 200.0, channel = \"axial\" }}\n[effects]\n\
+             linear_spring = {{ k = {k} }}\nlinear_damper = {{ c = {c} }}\nunilateral_contact = {{ tension_factor = 0.0 }}\n"
+        )
+    };
+    let own = folder.path().join("own.toml");
+    fs::write(&own, model(7040.0, 30.0)).expect("written");
+    for seed in 1..=3 {
+        let plan = folder.path().join("plan.toml");
+        let drops = format!("[drops]\nheights_m = [0.4, 0.8, 1.2]\ncount = 20\nseed = {seed}\n[scatter]\nshare = 0.1\nstiffness = 0.08\n");
+        fs::write(&plan, model(6000.0, 12.0) + &drops).expect("written");
+        program().arg("synthesize").arg(&plan).arg("-o").arg(folder.path()).assert().success();
+        let drops = folder.path().join("synthesize-plan/drops");
+        let out =
+            program().args(["diagnose", "--json", "--model"]).arg(&own).arg("-o").arg(folder.path()).arg(&drops).output().expect("run");
+        let found: Value = serde_json::from_slice(&out.stdout).expect("JSON");
+        assert_eq!(found["verdict"], "nothing_missing", "seed {seed}: {:#}", found["reasons"]);
+    }
+}
+
 #[test]
 fn regress_the_same_seed_gives_the_same_bytes() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -816,6 +816,20 @@ fn analytic_export_writes_the_formats_that_are_asked_for() {
 }
 
 #[test]
+fn planted_what_a_simulator_does_not_get_is_told_and_a_sensor_is_where_its_extra_is() {
+    let extra = "[extras.pilot]\nmass_g = 6.0\nmass_basis = \"measured\"\nsource = \"own\"\nposition_mm = [0.0, 10.0, 30.0]\ncovers = [\"flight_controller\"]\n";
+    let bench = Bench::new(&format!("base = \"cognifly\"\nbought.flight_controller = \"none\"\n{extra}"));
+    let model = bench.path("rubbing.toml");
+    let rubbing = include_str!("../../params/impact/paper.toml").to_owned() + "[effects.coulomb_friction]\nf_c_n = 50.0\n";
+    fs::write(&model, rubbing).expect("can be written");
+    let output = bench.run("export", &["--mjcf", "--model", &model, "--json"]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    assert_says(&text(&output.stderr), &["warning: coulomb_friction of rubbing is left out"]);
+    let told: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    assert_eq!((&told["imu"]["on"], told["imu"]["position_m"][2].as_f64()), (&"pilot".into(), Some(0.03)), "{:#}", told["imu"]);
+}
+
+#[test]
 fn regress_fold_draws_one_step() {
     let bench = Bench::new("base = \"cognifly\"\n");
     let output = bench.run("fold", &["--step", "20", "--png", "-q"]);

@@ -49,6 +49,8 @@ fn regress_json_keeps_its_keys() {
     insta::assert_snapshot!("measure_keys", keys(folder, &["measure", drops]));
     insta::assert_snapshot!("fit_keys", keys(folder, &["fit", "--model", "paper-corrected", "--bootstrap", "0", drops]));
     insta::assert_snapshot!("diagnose_keys", keys(folder, &["diagnose", "--max-effects", "1", drops]));
+    // Drops with lateral axes are compared with the model of the axis.
+    assert!(folder.join("out/diagnose-paper-corrected/model.toml").exists());
     insta::assert_snapshot!("drop_frame_keys", keys(folder, &["drop", "cognifly-v8", "--model", "frame", "--height", "0.5"]));
     insta::assert_snapshot!("stiffness_keys", keys(folder, &["stiffness", "cognifly-v8"]));
 }

@@ -701,6 +701,9 @@ fn planted_solve_keeps_a_goal_of_the_mechanics() {
     // A longer strut is stiffer and heavier: the least that does is not the longest.
     let strut = found["values"][0]["after"].as_f64().expect("a number");
     assert!((50.1..53.0).contains(&strut), "{strut}");
+    // The drop's peak falls with the strut down to the bound: with few frames the search has not come there, and says so.
+    let few = bench.json(&["solve", "--minimise", "design_drop.peak", "--vary", "strut_rod=48..52", "--frames", "4", "--json"]);
+    assert_eq!((few["ended"].as_str(), few["looked_at"].as_u64()), (Some("frames_spent"), Some(4)), "{few}");
     let (code, _, err) = bench.run(&["solve", "--minimise", "stiffness", "--vary", "strut_rod", "--mechanics", "absent.toml"]);
     assert!(code == 2 && err.contains("absent.toml"), "{err}");
     let (code, _, err) = bench.run(&["solve", "--minimise", "mass", "--vary", "strut_rod", "--mechanics", "x.toml"]);

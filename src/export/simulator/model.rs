@@ -75,7 +75,8 @@ pub struct Motor {
 /// Where the inertial sensor is.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Imu {
-    /// What carries it: `flight_controller`, `motor_controller` where that board is both, or `hub` where the frame has neither.
+    /// What carries it: `flight_controller`, `motor_controller` where that board is both, the extra that stands for it, or `hub` where the frame has
+    /// none of them.
     pub on: String,
     /// Middle of the circuit board, m. Its axes are those of the frame.
     pub position_m: [f64; 3],
@@ -225,11 +226,13 @@ fn balance(motors: &mut [Motor], whole: &RigidBody) {
 fn imu(design: &Design) -> Imu {
     let stack = Stack::new(&design.frame, &design.centre);
     let role = if design.frame.is_all_in_one() { "motor_controller" } else { "flight_controller" };
-    let board = stack.boards.iter().find(|board| board.role == role);
-    Imu {
-        on: board.map_or("hub", |board| board.role).into(),
-        position_m: point_m(Point3::new(0.0, 0.0, board.map_or(0.0, |board| board.middle_mm))),
+    if let Some(board) = stack.boards.iter().find(|board| board.role == role) {
+        return Imu { on: board.role.into(), position_m: point_m(Point3::new(0.0, 0.0, board.middle_mm)) };
     }
+    // A board that an extra stands for is where that is.
+    let extra = design.frame.extras.iter().find(|(_, extra)| extra.covers.iter().any(|covered| covered == role));
+    let (on, position_mm) = extra.map_or(("hub", [0.0; 3]), |(name, extra)| (name.as_str(), extra.position_mm));
+    Imu { on: on.into(), position_m: point_m(position_mm.into()) }
 }
 
 fn feet(design: &Design, ground_mm: f64) -> Vec<Foot> {
