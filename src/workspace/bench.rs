@@ -238,15 +238,15 @@ impl<'a> Bench<'a> {
         let design = self.design(Cost::Slow, key, &value)?;
         let masses = mass::table(&design);
         // What was violated before is no news, unless it is further from its limit now.
-        let known = |f: &Finding| {
-            let before = self.found.iter().find(|k| k.verdict == Verdict::Violated && (&k.rule, &k.subject) == (&f.rule, &f.subject));
-            before.is_some_and(|k| f.margin >= k.margin - WORSE * k.limit.abs())
-        };
+        let before =
+            |f: &Finding| self.found.iter().find(|k| k.verdict == Verdict::Violated && (&k.rule, &k.subject) == (&f.rule, &f.subject));
+        let known = |f: &Finding| before(f).is_some_and(|k| f.margin >= k.margin - WORSE * k.limit.abs());
         let found = checks::check_by(&all_but_the_fold(), Cost::Slow, &design, &masses);
         let new: Vec<&Finding> = found.iter().filter(|f| f.verdict == Verdict::Violated && !known(f)).collect();
         let breaks = new.first().map(|f| {
             let more = if new.len() > 1 { format!(" and {} more", new.len() - 1) } else { String::new() };
-            format!("{} ({}){more}", f.rule, f.subject)
+            let does = if before(f).is_some() { "worsens" } else { "breaks" };
+            format!("{does} {} ({}){more}", f.rule, f.subject)
         });
         Some(Remedy { key: key.into(), from, to, heavier_g: masses.total_g - self.mass_g, breaks })
     }

@@ -21,7 +21,7 @@ pub struct Remedy {
     pub to: String,
     /// By how much the frame gets heavier, g.
     pub heavier_g: f64,
-    /// What is violated then that was not before: the first of it, and how much more.
+    /// What it breaks that was not violated before, or worsens: the first of it, and how much more.
     pub breaks: Option<String>,
 }
 
@@ -30,7 +30,7 @@ impl fmt::Display for Remedy {
         let Self { key, from, to, heavier_g, breaks } = self;
         let sign = if *heavier_g < 0.0 { "" } else { "+" };
         write!(f, "{key} {from} -> {to} clears it ({sign}{} g)", decimals(*heavier_g, 1))?;
-        breaks.as_ref().map_or(Ok(()), |broken| write!(f, ", but breaks {broken}"))
+        breaks.as_ref().map_or(Ok(()), |broken| write!(f, ", but {broken}"))
     }
 }
 
