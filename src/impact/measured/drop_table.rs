@@ -131,7 +131,7 @@ mod tests {
         for (text, says) in [
             ("surface\nmat\n", "lacks the column `trial`"),
             ("trial\n1\n", "lacks the column"),
-            ("trial,a\n", "is empty"),
+            ("trial,a\n", "has no row below its header"),
             ("trial,a\n1,2\n1,3\n", "line 3: has a second row of trial `1`"),
             ("trial,a,a\n1,2,2\n", "twice"),
             ("trial,height_m,a\n1,high,2\n", "line 2: `height_m` is `high`"),
