@@ -14,7 +14,7 @@ use crate::export::simulator::{self, LegSpring, Motor, SimulatorFormat, Simulato
 use crate::figures::decimals;
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::{self, MassTable};
-use crate::impact::effects::Model;
+use crate::impact::effects::{Model, UNILATERAL_CONTACT};
 use crate::impact::frame_fit::CURVE_MM;
 use crate::mechanics::model::frame_model::{Extent, FrameModel};
 use crate::mechanics::result::reduction::Reduction;
@@ -118,12 +118,9 @@ fn pulling(model: &SimulatorModel) -> Vec<String> {
     cannot.map(words).collect()
 }
 
-/// Feet push and never pull, in every simulator.
-const UNILATERAL_CONTACT: &str = "unilateral_contact";
-
-/// What of an impact model the files do not have.
+/// What of an impact model the files do not have. Feet push and never pull in every simulator.
 fn left_out(model: &Model) -> Option<String> {
-    let effects: Vec<&str> = model.acting().map(|(spec, _)| spec.id).filter(|id| *id != UNILATERAL_CONTACT).collect();
+    let effects: Vec<&str> = model.acting().map(|(spec, _)| spec.id).filter(|id| *id != UNILATERAL_CONTACT.id).collect();
     (!effects.is_empty())
         .then(|| format!("warning: {} of {} is left out: a simulator's legs are a spring and a damper", effects.join(" and "), model.name))
 }

@@ -6,12 +6,22 @@ use super::frame::Frame;
 use super::frame_file::{FrameFile, Value};
 use super::roles::ROLES;
 
-/// Tables of own entries, what one of each is called, and how it is chosen; a part under the role of its kind.
-const TABLES: [(&str, &str, &str); 3] = [
-    ("parts", "part", "name it under [bought]"),
-    ("printers", "printer", "write printer = "),
-    ("materials", "material", "name it under [materials], such as rigid = "),
-];
+/// Tables of own entries, and what one of each is called.
+const TABLES: [(&str, &str); 3] = [("parts", "part"), ("printers", "printer"), ("materials", "material")];
+
+/// How an entry of a table is chosen; a part under the first role of its kind.
+fn choice(file: &FrameFile, table: &str, name: &str) -> String {
+    let (under, key) = match table {
+        "printers" => return format!("write printer = \"{name}\""),
+        "materials" => ("[materials]", Some("rigid")),
+        _ => {
+            let kind = file.entries.get(&format!("override.parts.{name}.kind")).map(|entry| &entry.value);
+            let fits = |of_kind: &str| matches!(kind, Some(Value::Text(kind)) if kind == of_kind);
+            ("[bought]", ROLES.iter().find(|(.., of_kind)| fits(of_kind)).map(|(role, ..)| *role))
+        }
+    };
+    format!("name it under {under}{}", key.map_or_else(String::new, |key| format!(", such as {key} = \"{name}\"")))
+}
 
 /// A sentence for each part, printer and material that the frame file itself describes and nothing of the frame is, by name.
 pub fn unused(file: &FrameFile, frame: &Frame) -> Vec<String> {
@@ -23,26 +33,16 @@ pub fn unused(file: &FrameFile, frame: &Frame) -> Vec<String> {
         [frame.flexible.name.as_str(), frame.rigid.name.as_str()].into_iter().chain(rods).collect(),
     ];
     let mut told = Vec::new();
-    for ((table, what, how), chosen) in TABLES.into_iter().zip(&chosen) {
+    for ((table, what), chosen) in TABLES.into_iter().zip(&chosen) {
         let own = format!("override.{table}.");
         let of_file = file.entries.iter().filter(|(_, entry)| entry.depth == 0);
         // A name may have dots in it, a field's name has none.
         let names: BTreeSet<&str> = of_file.filter_map(|(key, _)| Some(key.strip_prefix(&own)?.rsplit_once('.')?.0)).collect();
         let unused = names.into_iter().filter(|name| !chosen.contains(name));
-        let role = |name: &str| {
-            let kind = &file.entries.get(&format!("{own}{name}.kind"))?.value;
-            ROLES
-                .iter()
-                .find(|(.., of_kind)| matches!(kind, Value::Text(kind) if kind == of_kind))
-                .map(|(role, ..)| format!(", such as {role} = \"{name}\""))
+        let words = |name| {
+            format!("the {what} {name} is described in {}, and nothing of the frame is one: {}", file.name, choice(file, table, name))
         };
-        let chosen_so =
-            |name: &str| if table == "parts" { format!("{how}{}", role(name).unwrap_or_default()) } else { format!("{how}\"{name}\"") };
-        told.extend(
-            unused.map(|name| {
-                format!("the {what} {name} is described in {}, and nothing of the frame is one: {}", file.name, chosen_so(name))
-            }),
-        );
+        told.extend(unused.map(words));
     }
     told
 }

@@ -202,7 +202,7 @@ fn analytic_propellers_whose_mass_is_in_another_line_are_no_bodies() {
 }
 
 #[test]
-fn analytic_the_sensor_is_on_the_board_that_has_one_or_at_the_extra_that_stands_for_it() {
+fn analytic_the_sensor_is_on_the_board_that_has_one_or_at_the_hub() {
     let (design, with) = of_text("base = \"cognifly\"");
     let board = design.bodies.iter().find(|body| body.name == "flight_controller").expect("has one");
     let [low, high] = design.shape(board).solid.bounds_in_mm(&board.pose);
@@ -217,6 +217,8 @@ fn analytic_the_sensor_is_on_the_board_that_has_one_or_at_the_extra_that_stands_
     let elsewhere = "base = \"cognifly\"\nbought.flight_controller = \"none\"\nextras.autopilot.mass_g = 9.0\n\
                      extras.autopilot.mass_basis = \"estimate\"\nextras.autopilot.source = \"a guess\"\nextras.autopilot.covers = [\"flight_controller\"]\n";
     let (_, without) = of_text(elsewhere);
-    // An extra without a position is at the hub.
-    assert_eq!((without.imu.on.as_str(), without.imu.position_m), ("autopilot", [0.0; 3]));
+    assert_eq!((without.imu.on.as_str(), without.imu.position_m), ("hub", [0.0; 3]));
+    let (_, placed) = of_text(&format!("{elsewhere}extras.autopilot.position_mm = [0.0, 10.0, 30.0]\n"));
+    assert_eq!(placed.imu.on, "autopilot");
+    assert!((placed.imu.position_m[2] - 0.03).abs() < 1e-12, "{:?}", placed.imu);
 }

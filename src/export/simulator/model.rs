@@ -10,6 +10,7 @@ use super::propeller::torque_over_thrust_m;
 use crate::frame::assembly::mass::{Lump, MassTable, lump_of};
 use crate::frame::assembly::{Body, BodyKind, Design};
 use crate::frame::skeleton::{MODULE_NAMES, ROTORS, Rod, Spin, Stack};
+use crate::params::frame::Extra;
 use crate::units::GRAVITY_M_S2;
 
 /// A rigid body.
@@ -75,8 +76,8 @@ pub struct Motor {
 /// Where the inertial sensor is.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Imu {
-    /// What carries it: `flight_controller`, `motor_controller` where that board is both, the extra that stands for it, or `hub` where the frame has
-    /// none of them.
+    /// What carries it: `flight_controller`, `motor_controller` where that board is both, the extra that stands for it and has a place of its own, or
+    /// `hub` where the frame has none of them.
     pub on: String,
     /// Middle of the circuit board, m. Its axes are those of the frame.
     pub position_m: [f64; 3],
@@ -229,8 +230,9 @@ fn imu(design: &Design) -> Imu {
     if let Some(board) = stack.boards.iter().find(|board| board.role == role) {
         return Imu { on: board.role.into(), position_m: point_m(Point3::new(0.0, 0.0, board.middle_mm)) };
     }
-    // A board that an extra stands for is where that is.
-    let extra = design.frame.extras.iter().find(|(_, extra)| extra.covers.iter().any(|covered| covered == role));
+    // A board that an extra stands for is where that is, if a place is stated; all else is at the hub.
+    let stands_for = |extra: &Extra| extra.position_mm != [0.0; 3] && extra.covers.iter().any(|covered| covered == role);
+    let extra = design.frame.extras.iter().find(|(_, extra)| stands_for(extra));
     let (on, position_mm) = extra.map_or(("hub", [0.0; 3]), |(name, extra)| (name.as_str(), extra.position_mm));
     Imu { on: on.into(), position_m: point_m(position_mm.into()) }
 }

@@ -59,3 +59,4 @@ pub use payload_mode::SPEC as PAYLOAD_MODE;
 pub use sensor::{Channel, Sensor};
 pub use sensor_saturation::SPEC as SENSOR_SATURATION;
 pub use spec::{Availability, Inputs, Spec, Stage, StartContext};
+pub use unilateral_contact::SPEC as UNILATERAL_CONTACT;

@@ -16,7 +16,7 @@ use super::spec::{Availability, Spec, Stage, singles};
 const RELEASED_M: f64 = 1e-3;
 
 /// Its record.
-pub(super) const SPEC: Spec = Spec {
+pub const SPEC: Spec = Spec {
     id: "unilateral_contact",
     title: "unilateral contact",
     stage: Stage::Arrangement,

@@ -88,7 +88,7 @@ pub struct LandingAssessment {
     pub spreads: Vec<HeightSpread>,
     /// Peaks of all heights beside those of the landings, heights that no fit saw last.
     pub peaks: Vec<HeightPeaks>,
-    /// One drop from the highest of them.
+    /// One drop from the highest fitted height.
     pub shown: Option<ShownDrop>,
     /// How the sensor leans. Where that is named, everything else here is of the readings turned back.
     pub attitude: AttitudeAssessment,

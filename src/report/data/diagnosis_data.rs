@@ -11,7 +11,7 @@ use crate::impact::diagnose::{
     Adequacy, ByHeight, CovariateEffect, Diagnosis, EffectEstimate, FrameMode, Gap, Gaps, HeldParameter, HeldValue, Ranked,
     StaticComparison, Verdict, held,
 };
-use crate::impact::effects::{LINEAR_DAMPER, LINEAR_SPRING, by_id};
+use crate::impact::effects::{LINEAR_DAMPER, LINEAR_SPRING, UNILATERAL_CONTACT};
 use crate::impact::fit::{Decimation, LeftOut};
 use crate::impact::landing::LandingAssessment;
 use crate::impact::measured::RELEASE_S;
@@ -235,9 +235,6 @@ fn correlations(diagnosis: &Diagnosis) -> Value {
     json!({ "of": of, "matrix": rounded(matrix) })
 }
 
-/// Of a ground that does not pull.
-const UNILATERAL_CONTACT: &str = "unilateral_contact";
-
 /// The model after as a file. The verdict stands in comments above it, and where landings that are not level decide, what such a file cannot state.
 pub fn model_file(diagnosis: &Diagnosis, compared: &Compared) -> String {
     let decided = compared.landing.as_ref().filter(|landing| landing.decides());
@@ -248,10 +245,9 @@ pub fn model_file(diagnosis: &Diagnosis, compared: &Compared) -> String {
         )
     });
     let model = &diagnosis.model_after;
-    let lifted =
-        by_id(UNILATERAL_CONTACT).filter(|contact| decided.is_some() && !model.effects.iter().any(|listed| listed.spec.id == contact.id));
+    let pulls = model.effects.iter().all(|listed| listed.spec.id != UNILATERAL_CONTACT.id);
     // The fitted legs never pull.
-    let model = lifted.map_or_else(|| model.clone(), |contact| model.clone().with(contact, &[0.0], 0));
+    let model = if decided.is_some() && pulls { model.clone().with(&UNILATERAL_CONTACT, &[0.0], 0) } else { model.clone() };
     in_comments(diagnosis.verdict, &diagnosis.reasons, decided.is_some()) + &note + &model.to_toml()
 }
 
