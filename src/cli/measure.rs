@@ -91,7 +91,8 @@ fn row(sum: &Summary) -> String {
 
 /// Zero and scale of each session, and where clocks stall.
 fn sessions(judged: &JudgedDrops) -> String {
-    let zero = |zero: &Option<Zero>| zero.map_or(format!("{:>15}", "-"), |zero| format!("{:>+7.3} ± {:.3}", zero.mean_g, zero.error_g));
+    let error = |zero: &Zero| zero.error_g.map_or("-".into(), |error_g| format!("{error_g:.3}"));
+    let zero = |zero: &Option<Zero>| zero.map_or(format!("{:>15}", "-"), |zero| format!("{:>+7.3} ± {:>5}", zero.mean_g, error(&zero)));
     let line = |session: &Session| {
         let [x, y, z] = &session.zeros;
         let held = session.held_g.map_or("-".into(), |held| format!("{:.3}", held.median));

@@ -71,7 +71,7 @@ pub(super) struct FormatOptions {
     #[arg(long, value_delimiter = ',', value_name = "X,Y,Z", value_parser = magnitude([1e-2, 1e5], "counts"))]
     pub counts_per_g: Option<Vec<f64>>,
     /// Names of a table's columns: trial, session, h (height), v (impact speed, m/s), t, a (along the axis), x, y, z; -NAME changes
-    /// the sign. Without a, z is the axis.
+    /// the sign. Without a, z is the axis. A NAME may have commas.
     #[arg(long, value_delimiter = ',', value_name = "KEY=NAME,…")]
     pub columns: Vec<String>,
     /// Units of a table: g, mg, m/s2, or N/g for readings in counts, N of them a g, as 2048/g; s, ms or us; m, cm or mm.

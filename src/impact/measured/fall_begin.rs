@@ -1,7 +1,7 @@
 //! Where the free fall begins in a record: where the frame was let go.
 //!
 //! A frame that is held feels 1 g, one that falls nothing but noise: back from the impact the fall begins where the mean magnitude over some
-//! readings is above a level between the two. Where noise or a zero of the sensor reach that level by themselves, the mean of the axes is taken
+//! readings, and the middle one of them, is above a level between the two. Where noise or a zero of the sensor reach that level by themselves, the mean of the axes is taken
 //! instead, and compared with what they read in the last of the fall: of so many readings that noise does not reach the level.
 //!
 //! *When it is wrong:* where the fall is shorter than what its readings are taken from, and for noise of more than some 0.5 g on each axis or
@@ -43,12 +43,12 @@ pub(super) fn fall_begin(record: &Record, end: usize) -> (usize, bool) {
     }
 }
 
-/// By the mean magnitude.
+/// By the mean magnitude, and the middle one: a reading that stands alone is no hand.
 fn by_size(record: &Record, end: usize, count: usize) -> (usize, bool) {
     let mut begin = end;
     while begin >= count {
-        let before = begin - count..begin;
-        if before.map(|sample| record.size_g(sample)).sum::<f64>() > HELD_G * count as f64 {
+        let sizes = || (begin - count..begin).map(|sample| record.size_g(sample));
+        if sizes().sum::<f64>() > HELD_G * count as f64 && median(sizes()) > HELD_G {
             return (begin, true);
         }
         begin -= 1;

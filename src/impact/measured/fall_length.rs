@@ -53,7 +53,7 @@ impl FallLength {
                 }
             }
             None => {
-                let usual_s = fall_s(height_m);
+                let usual_s = fall_in_air_s(height_m);
                 if !(1.0 / OTHER_HEIGHT..OTHER_HEIGHT).contains(&(own_s / usual_s)) {
                     return Self::default();
                 }
@@ -76,7 +76,7 @@ impl FallLength {
 }
 
 /// How long a fall lasts in air, s: v = √(g/β) tanh(√(g β) t), integrated.
-fn fall_s(height_m: f64) -> f64 {
+pub(super) fn fall_in_air_s(height_m: f64) -> f64 {
     libm::acosh(libm::exp(DRAG_1_M * height_m)) / (GRAVITY_M_S2 * DRAG_1_M).sqrt()
 }
 
@@ -88,7 +88,7 @@ mod tests {
     fn analytic_a_fall_in_air_lasts_a_little_longer() {
         let vacuum_s = libm::sqrt(2.0 * 1.5 / GRAVITY_M_S2);
         // To first order by β h / 6.
-        assert!((fall_s(1.5) / vacuum_s - (1.0 + DRAG_1_M * 1.5 / 6.0)).abs() < 1e-4);
+        assert!((fall_in_air_s(1.5) / vacuum_s - (1.0 + DRAG_1_M * 1.5 / 6.0)).abs() < 1e-4);
     }
 
     #[test]

@@ -241,10 +241,10 @@ mod tests {
     }
 
     #[test]
-    fn planted_a_jolt_before_the_fall_is_to_be_cut_off() {
+    fn planted_a_jolt_before_a_fall_from_another_height_is_to_be_cut_off() {
         let reading = |at: u32| match at {
             5 => 3.5,
-            350..360 => 48.0 * libm::sin(0.1 * std::f64::consts::PI * (f64::from(at - 350) + 0.5)),
+            300..310 => 48.0 * libm::sin(0.1 * std::f64::consts::PI * (f64::from(at - 300) + 0.5)),
             0..40 => 1.0,
             _ => 0.0,
         };
@@ -253,6 +253,6 @@ mod tests {
             read_bytes(&[("a.csv".into(), format!("trial,height_m,t_s,accel_g\n{rows}").into())], &FileFormat::default()).expect("reads");
         let record = set.records().next().expect("there is one");
         let said = flags(record, Impact::of(record).as_ref(), Vec::new()).iter().map(ToString::to_string).collect::<Vec<_>>().join("; ");
-        assert!(said.starts_with("double hit: the peak comes 35") && said.contains("cut the begin of the recording off"), "{said}");
+        assert!(said.starts_with("double hit: the peak comes 30") && said.contains("cut the begin of the recording off"), "{said}");
     }
 }

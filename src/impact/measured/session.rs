@@ -19,8 +19,8 @@ const HELD_S: f64 = 0.1;
 pub struct Zero {
     /// Median over the records of each record's mean, g; 0 for a sensor that is calibrated.
     pub mean_g: f64,
-    /// Its standard error, from the variation between records, g. That of the drag is not in it.
-    pub error_g: f64,
+    /// Its standard error, from the variation between records, g; `None` of a single one. That of the drag is not in it.
+    pub error_g: Option<f64>,
     /// Records with a fall.
     pub records: usize,
 }
@@ -94,7 +94,8 @@ pub fn mean_in_fall(record: &Record, impact: &Impact, axis: usize) -> Option<f64
 fn zero(records: &[(&Record, Option<&Impact>)], of: impl Fn(&Record, &Impact) -> Option<f64>) -> Option<Zero> {
     let spread = Spread::of(records.iter().filter_map(|(record, impact)| of(record, (*impact)?)))?;
     // The median, because some falls are none.
-    Some(Zero { mean_g: spread.median, error_g: spread.median_error(), records: spread.count })
+    let error_g = (spread.count > 1).then(|| spread.median_error());
+    Some(Zero { mean_g: spread.median, error_g, records: spread.count })
 }
 
 /// Median magnitude of the first samples of a record, while the frame is held, g.

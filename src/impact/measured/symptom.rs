@@ -1,12 +1,14 @@
 //! What records show together of how they were measured or written, each with what mends it.
 
 use super::copied_records::CopiedRecords;
+use super::early_readings::EarlyReadings;
 use super::fall::Fall;
 use super::free_fall_offset::FreeFallOffset;
 use super::hint::Hint;
 use super::loud_noise::LoudNoise;
 use super::mixed_rates::MixedRates;
 use super::record::DropSet;
+use super::sensor_scale::SensorScale;
 use super::stamp_jitter::StampJitter;
 use super::unknown_zero::UnknownZero;
 
@@ -38,7 +40,12 @@ fn told(set: &DropSet, of_falls: impl Fn(&[Fall]) -> Vec<String>) -> Vec<String>
             let noise = LoudNoise::of(set).map(|noise| noise.to_string());
             let zeros = if offsets.is_empty() { UnknownZero::all(set) } else { Vec::new() };
             let zeros = zeros.iter().map(ToString::to_string);
-            offsets.iter().map(ToString::to_string).chain(zeros).chain(heights).chain(noise).chain(others).collect()
+            // A wrong height has another impulse, too.
+            let scales = if heights.is_empty() && offsets.is_empty() { SensorScale::all(set) } else { Vec::new() };
+            let scales: Vec<String> = scales.iter().map(ToString::to_string).collect();
+            let early = EarlyReadings::of(set).map(|early| early.to_string());
+            let of_readings = offsets.iter().map(ToString::to_string).chain(zeros).chain(heights).chain(scales).chain(early);
+            of_readings.chain(noise).chain(others).collect()
         }
     }
 }

@@ -168,13 +168,15 @@ fn counts_per_g(unit: &str) -> Result<f64, FormatError> {
 const STANDARD_GRAVITY_M_S2: f64 = 9.806_65;
 
 impl TableFormat {
-    /// From what an option each says: `t=Time`, `z=-Acc_Z`; `m/s2`, `ms`; samples a second.
+    /// From what an option each says: `t=Time`, `z=-Acc_Z`; `m/s2`, `ms`; samples a second. What stands between two commas and has no `=` is
+    /// a part of the name before it.
     ///
     /// # Errors
     /// [`FormatError`] with the first that cannot be.
     pub fn new(columns: &[String], units: &[String], rate_hz: Option<f64>) -> Result<Self, FormatError> {
+        let columns = with_commas(columns);
         let mut format = Self { columns: columns.iter().map(|given| column(given)).collect::<Result<_, _>>()?, ..Self::default() };
-        twice("columns", columns, &format.columns.iter().map(|column| quantity_of(column.quantity)).collect::<Vec<_>>())?;
+        twice("columns", &columns, &format.columns.iter().map(|column| quantity_of(column.quantity)).collect::<Vec<_>>())?;
         for unit in units {
             match unit.trim() {
                 "g" => format.accel_g = 1.0,
@@ -218,6 +220,18 @@ impl TableFormat {
     }
 }
 
+/// Columns that were given between commas, of which one may be in a name: what is no KEY=NAME goes on with the name before it.
+fn with_commas(given: &[String]) -> Vec<String> {
+    let mut whole: Vec<String> = Vec::new();
+    for part in given {
+        match whole.last_mut().filter(|_| !part.contains('=')) {
+            Some(before) => *before = format!("{before},{part}"),
+            None => whole.push(part.clone()),
+        }
+    }
+    whole
+}
+
 fn column(given: &str) -> Result<Column, FormatError> {
     let refused = || FormatError::Column { given: given.into() };
     let (key, name) = given.split_once('=').ok_or_else(refused)?;
@@ -237,6 +251,8 @@ mod tests {
         assert_eq!((format.name(Quantity::Time), format.name(Quantity::Z)), (("Time", false), ("Acc Z", true)));
         assert_eq!((format.name(Quantity::Trial), format.time_s, format.rate_hz), (("trial", false), 1e-3, Some(3200.0)));
         assert!((format.accel_g * 9.806_65 - 1.0).abs() < 1e-15);
+        let parts = TableFormat::new(&strings(&["z=-Acc", " z (g)", "t=Time"]), &[], None).expect("is one");
+        assert_eq!((parts.name(Quantity::Z), parts.name(Quantity::Time)), (("Acc, z (g)", true), ("Time", false)));
         assert_eq!(format.clone().zeroed(&[2.0]).expect("is one").zero_g, [0.0, 0.0, 2.0]);
         assert_eq!(format.zeroed(&[1.0, 2.0]), Err(FormatError::Zero));
         let counts = |unit: &str| TableFormat::new(&[], &strings(&[unit]), None).map(|format| format.accel_g);
