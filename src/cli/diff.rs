@@ -149,7 +149,7 @@ impl<'a> Exceeded<'a> {
     fn of(increase: &'a Increase, sides: &[Side; 2]) -> Option<Self> {
         let Increase { measure, most } = increase;
         let [before, after] = sides.each_ref().map(|side| measure.of(&side.evaluation));
-        let why = why_not_compared(measure, sides);
+        let why = why_not_compared(measure, sides.each_ref().map(Side::named));
         if let Some(why) = why.as_ref().filter(|_| after < before) {
             let message = format!("{why}; whether the second frame is worse cannot be told");
             return Some(Self { increase, found: after.zip(before).map(|(after, before)| after - before), message });

@@ -21,6 +21,13 @@ pub struct Side {
     pub evaluation: Evaluation,
 }
 
+impl Side {
+    /// The frame with what to call it.
+    pub fn named(&self) -> (&str, &Evaluation) {
+        (&self.name, &self.evaluation)
+    }
+}
+
 /// What two frames differ in.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Difference {
@@ -60,7 +67,7 @@ impl Difference {
             masses: mass_changes([a, b]),
             volumes: volume_changes([a, b]),
             measures: measure_changes([a, b]),
-            not_compared: not_compared(sides),
+            not_compared: MEASURES.iter().filter_map(|measure| why_not_compared(measure, sides.each_ref().map(Side::named))).collect(),
             broken: without(&after, &before),
             mended: without(&before, &after),
         }
@@ -173,16 +180,12 @@ fn contradicted(measure: &Measure, sides: [&Evaluation; 2]) -> Option<[f64; 2]> 
     (!same([Some(peak_a), Some(peak_b)], measure.places()) && faster > LEAST_STRIKE_M_S).then_some([strike_a, strike_b])
 }
 
-fn not_compared(sides: &[Side; 2]) -> Vec<String> {
-    MEASURES.iter().filter_map(|measure| why_not_compared(measure, sides)).collect()
-}
-
-/// Why a measure says of neither frame that it is better; none where it does, or the frames are equal in it.
-pub fn why_not_compared(measure: &Measure, sides: &[Side; 2]) -> Option<String> {
-    let strikes = contradicted(measure, sides.each_ref().map(|side| &side.evaluation))?;
+/// Why a measure says of neither of two frames, each with what to call it, that it is better; none where it does, or the frames are equal in it.
+pub fn why_not_compared(measure: &Measure, sides: [(&str, &Evaluation); 2]) -> Option<String> {
+    let strikes = contradicted(measure, sides.map(|(_, evaluation)| evaluation))?;
     let of = |at: usize| match strikes[at] {
-        0.0 => format!("{} does not hit the ground", sides[at].name),
-        strike => format!("{} hits the ground at {} m/s", sides[at].name, decimals(strike, 2)),
+        0.0 => format!("{} does not hit the ground", sides[at].0),
+        strike => format!("{} hits the ground at {} m/s", sides[at].0, decimals(strike, 2)),
     };
     Some(format!("{}: not compared, because the lower one leaves out the harder impact: {}, {}", measure.name, of(0), of(1)))
 }

@@ -106,12 +106,22 @@ impl Evaluation {
         predicted_peak(&self.body()).peak_g
     }
 
+    /// How fast the lowest body hits the ground in the same drop, m/s, 0 where it does not.
+    fn peak_strike_m_s(&self) -> f64 {
+        predicted_peak(&self.body()).strike_m_s
+    }
+
+    /// The same in the design drop.
+    fn design_drop_strike_m_s(&self, prediction: &Prediction) -> f64 {
+        prediction.speed_m_s(self.gap_mm()).unwrap_or(0.0)
+    }
+
     /// How fast the lowest body hits the ground in the drop that a measure is a peak of, m/s, 0 where it does not: that impact is in no peak.
     /// None of a measure that is no peak.
     pub fn strike_m_s(&self, measure: &Measure) -> Option<f64> {
         match measure.name {
-            "peak" => Some(predicted_peak(&self.body()).strike_m_s),
-            "design_drop.peak" => Some(self.prediction.as_ref()?.speed_m_s(self.gap_mm()).unwrap_or(0.0)),
+            "peak" => Some(self.peak_strike_m_s()),
+            "design_drop.peak" => Some(self.design_drop_strike_m_s(self.prediction.as_ref()?)),
             _ => None,
         }
     }
@@ -165,7 +175,7 @@ enum Source {
     /// From the design; none where the frame has no such thing.
     Design(fn(&Evaluation) -> Option<f64>),
     /// From the frame's own mechanics, which are only asked when somebody wants to know.
-    Mechanics(fn(&Prediction) -> f64),
+    Mechanics(fn(&Evaluation, &Prediction) -> f64),
 }
 
 impl Measure {
@@ -173,7 +183,7 @@ impl Measure {
     pub fn of(&self, evaluation: &Evaluation) -> Option<f64> {
         let value = match self.value {
             Source::Design(value) => value(evaluation),
-            Source::Mechanics(value) => evaluation.prediction.as_ref().map(value),
+            Source::Mechanics(value) => evaluation.prediction.as_ref().map(|prediction| value(evaluation, prediction)),
         };
         value.filter(|value| value.is_finite())
     }
@@ -191,7 +201,7 @@ impl Measure {
     /// What has to be said wherever its figures are: a name of that, and the sentence.
     fn caveat(&self) -> Option<[&'static str; 2]> {
         match self.name {
-            "peak" => Some(["peak", PEAK_CAVEAT]),
+            "peak" | "peak.strike" => Some(["peak", PEAK_CAVEAT]),
             _ => self.is_mechanics().then_some(["mechanics", MECHANICS_CAVEAT]),
         }
     }
@@ -214,7 +224,7 @@ impl Measure {
 }
 
 /// Every measure, in the order of tables: those of the design, then those of its mechanics.
-pub static MEASURES: [Measure; 20] = [
+pub static MEASURES: [Measure; 22] = [
     design("mass", "g", "take-off mass", Better::Less, &[], |e| Some(e.masses.total_g)),
     design("mass.printed", "g", "mass of all printed parts", Better::Less, &[], |e| Some(e.mass_of_g(LineKind::Printed))),
     design("mass.rods", "g", "mass of all rods", Better::Less, &[], |e| Some(e.mass_of_g(LineKind::Rod))),
@@ -248,13 +258,22 @@ pub static MEASURES: [Measure; 20] = [
     }),
     design("printed.volume", "mm3", "volume of all printed parts", Better::Less, &[], |e| Some(e.printed_mm3())),
     design("peak", "g", "predicted peak of a drop from 1 m", Better::Less, &[&GROUND_CLEARANCE], |e| Some(e.peak_g())),
-    mechanics("stiffness", "N/mm", "force over displacement at 8 mm", Better::Neither, |p| p.secant_8_mm_n_mm),
+    design("peak.strike", "m/s", "speed at which the lowest body hits the ground in that drop", Better::Less, &[&GROUND_CLEARANCE], |e| {
+        Some(e.peak_strike_m_s())
+    }),
+    mechanics("stiffness", "N/mm", "force over displacement at 8 mm", Better::Neither, |_, p| p.secant_8_mm_n_mm),
     Measure {
         rules: &[&GROUND_CLEARANCE],
-        ..mechanics("design_drop.peak", "g", "payload's peak in the design drop", Better::Less, |p| p.payload_peak_g)
+        ..mechanics("design_drop.peak", "g", "payload's peak in the design drop", Better::Less, |_, p| p.payload_peak_g)
     },
-    mechanics("design_drop.travel", "mm", "payload's way down in the design drop", Better::Less, |p| p.travel_mm),
-    mechanics("design_drop.strain", "%", "largest strain in the design drop", Better::Less, |p| 100.0 * p.strain.1),
+    Measure {
+        rules: &[&GROUND_CLEARANCE],
+        ..mechanics("design_drop.strike", "m/s", "speed at which the lowest body hits the ground in it", Better::Less, |e, p| {
+            e.design_drop_strike_m_s(p)
+        })
+    },
+    mechanics("design_drop.travel", "mm", "payload's way down in the design drop", Better::Less, |_, p| p.travel_mm),
+    mechanics("design_drop.strain", "%", "largest strain in the design drop", Better::Less, |_, p| 100.0 * p.strain.1),
 ];
 
 const fn design(
@@ -268,14 +287,20 @@ const fn design(
     Measure { name, unit, doc, better, rules, value: Source::Design(value) }
 }
 
-const fn mechanics(name: &'static str, unit: &'static str, doc: &'static str, better: Better, value: fn(&Prediction) -> f64) -> Measure {
+const fn mechanics(
+    name: &'static str,
+    unit: &'static str,
+    doc: &'static str,
+    better: Better,
+    value: fn(&Evaluation, &Prediction) -> f64,
+) -> Measure {
     Measure { name, unit, doc, better, rules: &[], value: Source::Mechanics(value) }
 }
 
 /// What the measures of the mechanics are, and how far they can be trusted.
 pub const MECHANICS_CAVEAT: &str = "stiffness, design_drop: by the frame's own mechanics; between frames of one material their ratios hold, as such they \
                                     are known to the band of the material's modulus, and a flexible material that states none counts as that of mechanics.toml \
-                                    (docs/mechanics.md)";
+                                    (docs/mechanics.md). No peak includes an impact on the ground, of which design_drop.strike is the speed";
 
 /// What has to be said of some measures, each once: a name of that, and the sentence.
 pub fn caveats<'a>(measures: impl Iterator<Item = &'a Measure>) -> Vec<[&'static str; 2]> {

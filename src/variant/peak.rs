@@ -11,7 +11,8 @@ const MODEL: &str = "paper-corrected";
 const HEIGHT_M: f64 = 1.0;
 
 /// What the figure is, and what it cannot see.
-pub const PEAK_CAVEAT: &str = "peak: of a mass on a spring, by the model paper-corrected, from 1 m; it reacts to mass and gap only. \
+pub const PEAK_CAVEAT: &str = "peak: of a mass on a spring, by the model paper-corrected, from 1 m; it reacts to mass and gap only, and \
+                               leaves out an impact on the ground, of which peak.strike is the speed. \
                                The recommended prediction is design_drop.peak (--strength), by the geometry: of the payload itself, above what a \
                                logger records. As logged (drop --model frame) it is within 10 % of the medians measured on the real frame";
 

@@ -73,6 +73,8 @@ fn extras(frame: &Frame) -> Stated {
     let stated = |(name, extra): (&String, &Extra)| {
         [("mass_g", value(&extra.mass_g)), ("position_mm", value(&extra.position_mm)), ("covers", value(&extra.covers))]
             .map(|(key, value)| (format!("{name}.{key}"), value))
+            .into_iter()
+            .filter(|(_, value)| !value.is_null())
     };
     frame.extras.iter().flat_map(stated).collect()
 }

@@ -3,7 +3,7 @@
 use crate::cli::choice;
 use crate::cli::searching;
 use crate::params::FrameFile;
-use crate::variant::{Chosen, Evaluation, MEASURES, MECHANICS_CAVEAT, Measure, PEAK_CAVEAT, Vary, units};
+use crate::variant::{Chosen, Evaluation, MEASURES, MECHANICS_CAVEAT, Measure, PEAK_CAVEAT, Vary, units, why_not_compared};
 
 /// What was found beside what there was; the frame that the search began at need not be one that can be built.
 pub(super) fn formatted(chosen: &Chosen, before: &str, file: &FrameFile, begun: Option<&Evaluation>) -> String {
@@ -20,6 +20,10 @@ pub(super) fn formatted(chosen: &Chosen, before: &str, file: &FrameFile, begun: 
     for measure in known(&solution.evaluation) {
         let [was, is] = [begun, Some(&solution.evaluation)].map(|evaluation| measure.reported(evaluation.and_then(|e| measure.of(e))));
         text += &format!("{:<34} {was:>10} {is:>10} {}\n", measure.name, measure.unit);
+    }
+    if let Some(begun) = begun {
+        let sides = [(before, begun), ("the solved frame", &solution.evaluation)];
+        known(&solution.evaluation).filter_map(|measure| why_not_compared(measure, sides)).for_each(|why| text += &format!("{why}\n"));
     }
     text += "\nwhat holds it back\n";
     for binding in &solution.binding {
