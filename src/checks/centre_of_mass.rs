@@ -53,10 +53,11 @@ const CAUSE: f64 = 0.5;
 fn cause(scene: &Scene, middle: [f64; 2], offset_mm: [f64; 2]) -> Option<(String, f64)> {
     let far_mm = libm::hypot(offset_mm[0], offset_mm[1]);
     let drawn_mm = |extra: &Extra| {
-        let along = [0, 1].map(|axis| (extra.position_mm[axis] - middle[axis]) * offset_mm[axis] / far_mm);
-        extra.mass_g * (along[0] + along[1]) / scene.masses.total_g
+        let position_mm = extra.position_mm?;
+        let along = [0, 1].map(|axis| (position_mm[axis] - middle[axis]) * offset_mm[axis] / far_mm);
+        Some(extra.mass_g * (along[0] + along[1]) / scene.masses.total_g)
     };
-    let drawn = scene.design.frame.extras.iter().map(|(name, extra)| (name.clone(), drawn_mm(extra)));
+    let drawn = scene.design.frame.extras.iter().filter_map(|(name, extra)| Some((name.clone(), drawn_mm(extra)?)));
     drawn.max_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, mm)| *mm >= CAUSE * far_mm)
 }
 
@@ -105,7 +106,7 @@ mod tests {
         let placed = |position_mm: [f64; 3]| {
             let frame = Planted::frame(|frame| {
                 let wiring = frame.extras.get_mut("wiring").expect("has one");
-                (wiring.mass_g, wiring.position_mm) = (60.0, position_mm);
+                (wiring.mass_g, wiring.position_mm) = (60.0, Some(position_mm));
             });
             frame.found(check).remove(0)
         };

@@ -64,7 +64,7 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
 fn buried(scene: &Scene) -> Vec<Finding> {
     let Some(ground_mm) = scene.design.ground_mm() else { return Vec::new() };
     let of = |(name, extra): (&String, &Extra)| {
-        let below_mm = ground_mm - extra.position_mm[2];
+        let below_mm = ground_mm - extra.position_mm?[2];
         let measure = Measure { rule: RULE.id, value: below_mm, limit: 0.0, unit: "mm", levers: &[] };
         let message = format!(
             "the extra `{name}` is placed {below_mm:.1} mm below the ground: state another extras.{name}.position_mm, or the frame stands on it"

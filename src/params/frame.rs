@@ -108,9 +108,10 @@ pub struct Extra {
     pub mass_basis: super::catalogue::MassBasis,
     /// Where it comes from.
     pub source: String,
-    /// Where it sits, mm; at the hub when left out.
+    /// Where it sits, mm. When left out, its mass is at the parts that it covers, in proportion to their own masses, or else at the hub.
     #[serde(default)]
-    pub position_mm: [f64; 3],
+    #[schemars(with = "[f64; 3]")]
+    pub position_mm: Option<[f64; 3]>,
     /// Roles of bought parts whose masses are inside this figure and are not counted again.
     #[serde(default)]
     pub covers: Vec<String>,

@@ -1,6 +1,6 @@
 //! From the file as typed to the frame as meant.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::carried::carrier;
 use super::choice::{CATALOGUES, Catalogues, fields};
@@ -283,7 +283,25 @@ fn extras(file: &FrameFile) -> Result<BTreeMap<String, Extra>, Refusal> {
         }
         Ok((name, extra))
     };
-    tables.into_iter().map(read).collect()
+    let extras = tables.into_iter().map(read).collect::<Result<BTreeMap<String, Extra>, Refusal>>()?;
+    covered_once(file, &extras)?;
+    Ok(extras)
+}
+
+/// Refuses a role in the masses of two extras: it would be counted twice.
+fn covered_once(file: &FrameFile, extras: &BTreeMap<String, Extra>) -> Result<(), Refusal> {
+    let mut covering: BTreeMap<&str, &str> = BTreeMap::new();
+    for (name, extra) in extras.iter().filter(|(_, extra)| extra.mass_g > 0.0) {
+        let own: BTreeSet<&str> = extra.covers.iter().map(String::as_str).collect();
+        for role in own {
+            if let Some(first) = covering.insert(role, name) {
+                let message = format!("the extras `{first}` and `{name}` both cover `{role}`, which would be counted twice");
+                let remedy = format!("take \"{role}\" out of the `covers` of one of them, or set that one's mass_g to 0");
+                return Err(file.refuse(&format!("extras.{name}.covers"), Reason::Impossible { message, remedy }));
+            }
+        }
+    }
+    Ok(())
 }
 
 /// An extra that does not read: the key whose value is to blame, else the first that the file states of it.
@@ -369,6 +387,18 @@ mod tests {
         let dotted = "[extras.\"rx.v2\"]\nmass_g = 2\nmass_basis = \"estimate\"\nsource = \"a guess\"\nposition_mm = [0, 0, 0]";
         assert!(resolved(dotted).is_ok_and(|frame| frame.extras.contains_key("rx.v2")), "a name with a dot in it");
         assert!(resolved("[battery]\nbattery_mass_g = 0").is_ok(), "a battery that is weighed with something else");
+    }
+
+    #[test]
+    fn planted_a_role_that_two_extras_cover_is_refused() {
+        let extra = |name: &str, mass_g: f64| {
+            format!(
+                "[extras.{name}]\nmass_g = {mass_g}\nmass_basis = \"estimate\"\nsource = \"a guess\"\ncovers = [\"battery\", \"tie\"]\n"
+            )
+        };
+        let twice = resolved(&(extra("pack", 30.0) + &extra("rest", 5.0))).expect_err("is counted twice");
+        assert!(twice.to_string().contains("`pack` and `rest` both cover `battery`"), "{twice}");
+        assert!(resolved(&(extra("pack", 30.0) + &extra("rest", 0.0))).is_ok(), "one that weighs nothing counts nothing");
     }
 
     /// What nothing else does, unless an extra stands for it.

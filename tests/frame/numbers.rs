@@ -183,7 +183,7 @@ fn analytic_the_mass_table_sums_and_its_inertia_is_that_of_all_tetrahedra() {
                     add(&mut sum, 0.25 * line.total_g, design.skeleton.node(&format!("M_{module}")).expect("is there").coords);
                 }
             } else if bodies.is_empty() {
-                let at = design.frame.extras.get(&line.name).map_or([0.0; 3], |extra| extra.position_mm);
+                let at = design.frame.extras.get(&line.name).and_then(|extra| extra.position_mm).unwrap_or_default();
                 add(&mut sum, line.total_g, at.into());
             }
         }

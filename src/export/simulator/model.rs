@@ -231,9 +231,9 @@ fn imu(design: &Design) -> Imu {
         return Imu { on: board.role.into(), position_m: point_m(Point3::new(0.0, 0.0, board.middle_mm)) };
     }
     // A board that an extra stands for is where that is, if a place is stated; all else is at the hub.
-    let stands_for = |extra: &Extra| extra.position_mm != [0.0; 3] && extra.covers.iter().any(|covered| covered == role);
-    let extra = design.frame.extras.iter().find(|(_, extra)| stands_for(extra));
-    let (on, position_mm) = extra.map_or(("hub", [0.0; 3]), |(name, extra)| (name.as_str(), extra.position_mm));
+    let stands_for = |extra: &Extra| extra.position_mm.filter(|_| extra.covers.iter().any(|covered| covered == role));
+    let extra = design.frame.extras.iter().find_map(|(name, extra)| Some((name.as_str(), stands_for(extra)?)));
+    let (on, position_mm) = extra.unwrap_or(("hub", [0.0; 3]));
     Imu { on: on.into(), position_m: point_m(position_mm.into()) }
 }
 

@@ -1,6 +1,6 @@
 //! The mass table: what weighs how much, how that is known, and where it sits.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use nalgebra::{Matrix3, Point3, Vector3};
 use serde::{Deserialize, Serialize};
@@ -246,20 +246,54 @@ fn basis(basis: MassBasis) -> &'static str {
     }
 }
 
+/// The bodies that stand for a line, each with its weight among them; none for a line without a body, and for an extra with a place of its own.
+fn carriers<'a>(design: &'a Design, line: &MassLine) -> Vec<(&'a Body, f64)> {
+    let weight = |body: &Body| design.shape(body).kind.weight(&design.frame);
+    // An extra is where its file says, whatever its name is.
+    match design.frame.extras.get(&line.name).filter(|_| line.kind == LineKind::Extra) {
+        Some(Extra { position_mm: Some(_), .. }) => Vec::new(),
+        Some(extra) => {
+            let roles: BTreeSet<&String> = extra.covers.iter().collect();
+            let mut bodies: Vec<(&Body, f64)> = roles.into_iter().flat_map(|role| carriers_of_role(design, role)).collect();
+            // Of parts that are stated to weigh nothing, each is as likely to carry it.
+            if bodies.iter().all(|(_, weight)| *weight == 0.0) {
+                bodies.iter_mut().for_each(|(_, weight)| *weight = 1.0);
+            }
+            bodies
+        }
+        None => {
+            let bodies = design.bodies.iter().filter(|body| design.shape(body).kind.bill_line() == line.name);
+            bodies.map(|body| (body, weight(body))).collect()
+        }
+    }
+}
+
+/// The bodies of a role, each with the mass that it would have by itself, g.
+fn carriers_of_role<'a>(design: &'a Design, role: &str) -> Vec<(&'a Body, f64)> {
+    let is_of_role = |body: &&Body| match design.shape(body).kind {
+        BodyKind::Rod(_) => role == "rod",
+        BodyKind::Printed(_) => false,
+        kind => kind.bill_line() == role,
+    };
+    let weight = |body: &&Body| match design.shape(body) {
+        shape if matches!(shape.kind, BodyKind::Rod(_)) => rod_g(design, shape),
+        shape => shape.kind.weight(&design.frame),
+    };
+    let bodies: Vec<&Body> = design.bodies.iter().filter(is_of_role).collect();
+    let (all, role_g) = (bodies.iter().map(weight).sum::<f64>(), uncovered_g(design, role));
+    bodies.into_iter().map(|body| (body, weight(&body) / all * role_g)).collect()
+}
+
 /// Each line's mass over the bodies that stand for it; lines without a body sit at the hub, extras at their position.
 fn moments(design: &Design, lines: &[MassLine], carries: &dyn Fn(Option<&Body>) -> bool) -> Sum {
     let mut sum = Sum::default();
     // The four modules share their shapes.
     let mut known: BTreeMap<usize, (Point3<f64>, Matrix3<f64>, f64)> = BTreeMap::new();
     for line in lines {
-        // An extra is where its file says, whatever its name is.
-        let extra = design.frame.extras.get(&line.name).filter(|_| line.kind == LineKind::Extra);
-        let is_body = |body: &&Body| extra.is_none() && design.shape(body).kind.bill_line() == line.name;
-        let bodies: Vec<_> = design.bodies.iter().filter(is_body).collect();
-        let weight = |body: &&Body| design.shape(body).kind.weight(&design.frame);
-        let all: f64 = bodies.iter().map(weight).sum();
-        for body in bodies.iter().filter(|body| carries(Some(body))) {
-            let share = line.total_g * weight(body) / all;
+        let bodies = carriers(design, line);
+        let all: f64 = bodies.iter().map(|(_, weight)| weight).sum();
+        for (body, weight) in bodies.iter().filter(|(body, weight)| *weight > 0.0 && carries(Some(body))) {
+            let share = line.total_g * weight / all;
             let (centre, unit_inertia, volume_mm3) = *known.entry(body.shape).or_insert_with(|| {
                 let shape = design.shape(body);
                 let of_volume = || {
@@ -273,8 +307,9 @@ fn moments(design: &Design, lines: &[MassLine], carries: &dyn Fn(Option<&Body>) 
             let own = turn.matrix() * unit_inertia * turn.matrix().transpose() * density;
             sum.add(share, body.pose * centre, own);
         }
-        if bodies.is_empty() && carries(None) {
-            let at = extra.map_or([0.0; 3], |extra| extra.position_mm);
+        if all == 0.0 && carries(None) {
+            let extra = design.frame.extras.get(&line.name).filter(|_| line.kind == LineKind::Extra);
+            let at = extra.and_then(|extra| extra.position_mm).unwrap_or_default();
             sum.add(line.total_g, Point3::from(at), Matrix3::zeros());
         }
     }

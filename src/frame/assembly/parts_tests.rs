@@ -48,6 +48,36 @@ fn planted_rods_that_an_extra_covers_are_counted_once() {
     assert!((weighed.total_g - (plain.total_g - of_rods(&plain) + 30.0)).abs() < 1e-9, "{} and {}", weighed.total_g, plain.total_g);
 }
 
+/// What is weighed together, with as much as its parts weigh, has the moments of its parts.
+#[test]
+fn analytic_an_extra_without_a_place_is_where_the_parts_are_that_it_covers() {
+    let memo = Arc::default();
+    let table = |text: &str| {
+        let file = FrameFile::parse("own.toml", &format!("base = \"cognifly\"\n{text}")).expect("reads");
+        mass::table(&Design::with(Frame::resolve(&file).expect("is one"), &memo).expect("closes"))
+    };
+    let together = |roles: &str, mass_g: f64, more: &str| {
+        table(&format!("{more}[extras.both]\nmass_g = {mass_g}\nmass_basis = \"measured\"\nsource = \"a scale\"\ncovers = [{roles}]\n"))
+    };
+    let plain = table("");
+    let of = |name: &str| plain.lines.iter().find(|line| line.name == name).map_or(0.0, |line| line.total_g);
+    let rods_g: f64 = plain.lines.iter().filter(|line| line.kind == mass::LineKind::Rod).map(|line| line.total_g).sum();
+    for (roles, mass_g) in [("\"battery\", \"motor\"", of("battery") + of("motor")), ("\"rod\", \"battery\"", rods_g + of("battery"))] {
+        let weighed = together(roles, mass_g, "");
+        assert!((weighed.total_g - plain.total_g).abs() < 1e-9);
+        for axis in 0..3 {
+            assert!((weighed.centre_of_mass_mm[axis] - plain.centre_of_mass_mm[axis]).abs() < 1e-9, "{roles}");
+            for other in 0..3 {
+                let [a, b] = [&weighed, &plain].map(|masses| masses.inertia_g_mm2[axis][other]);
+                assert!((a - b).abs() < 1e-9 * plain.inertia_g_mm2[0][0], "{roles}: {a} {b}");
+            }
+        }
+    }
+    // Of a battery that is stated to weigh nothing, too.
+    let weighed = together("\"battery\"", of("battery"), "[battery]\nbattery_mass_g = 0\n");
+    assert!((weighed.centre_of_mass_mm[2] - plain.centre_of_mass_mm[2]).abs() < 1e-9);
+}
+
 #[test]
 fn analytic_every_record_agrees_with_the_parameters() {
     for part in catalogue() {
