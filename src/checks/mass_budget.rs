@@ -2,10 +2,13 @@
 //!
 //! The mass is the table's: volumes times densities, the catalogue's masses, and what is estimated.
 
+use std::collections::BTreeSet;
+
 use super::finding::Finding;
 use super::measure::Measure;
 use super::rule::{Blame, Found, InSearch, Levers, Limit, Pass, Rule};
 use super::scene::Scene;
+use crate::frame::assembly::mass::uncovered_g;
 use crate::params::frame::Extra;
 
 const LEVERS: &[&str] = &["bought.battery", "bought.motor", "materials.rigid"];
@@ -47,17 +50,17 @@ impl TakeOffMass {
 pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     let (total_g, estimated_g) = (scene.masses.total_g, scene.masses.estimated_g);
     let take_off = TakeOffMass { total_g, estimated_g, limit_g: scene.design.frame.limits.mass_budget_g };
-    std::iter::once(take_off.finding()).chain(light_battery(scene)).collect()
+    std::iter::once(take_off.finding()).chain(light_battery(scene)).chain(light_extras(scene)).collect()
 }
 
-/// Least part of the bought battery's mass that a frame states: packs of one kind differ by less. Chosen.
-const LEAST_OF_BATTERY: f64 = 0.85;
+/// Least part of the catalogue's mass that a frame states for what is bought: packs of one kind differ by less. Chosen.
+const LEAST_STATED: f64 = 0.85;
 
 /// A warning of a battery that is stated to be lighter than the one that is bought, and is in no extra's mass.
 fn light_battery(scene: &Scene) -> Option<Finding> {
     let frame = &scene.design.frame;
     let stated_g = frame.battery.battery_mass_g;
-    let bought = frame.bought.get("battery").filter(|bought| stated_g < LEAST_OF_BATTERY * bought.part.mass_g)?;
+    let bought = frame.bought.get("battery").filter(|bought| stated_g < LEAST_STATED * bought.part.mass_g)?;
     let weighed = |extra: &Extra| extra.covers.iter().any(|role| role == "battery");
     if frame.extras.values().any(weighed) {
         return None;
@@ -69,6 +72,32 @@ fn light_battery(scene: &Scene) -> Option<Finding> {
         missing = missing.value
     );
     Some(missing.note("battery".into(), message))
+}
+
+/// A warning of each extra that is lighter than the bought parts in its mass.
+fn light_extras(scene: &Scene) -> Vec<Finding> {
+    let design = scene.design;
+    let of = |(name, extra): (&String, &Extra)| {
+        let covered: BTreeSet<&String> = extra.covers.iter().filter(|role| design.frame.bought.contains_key(*role)).collect();
+        let each: Vec<(&String, f64)> = covered.into_iter().map(|role| (role, uncovered_g(design, role))).collect();
+        let all_g: f64 = each.iter().map(|(_, mass_g)| mass_g).sum();
+        if extra.mass_g >= LEAST_STATED * all_g {
+            return None;
+        }
+        let missing = Measure { rule: RULE.id, value: all_g - extra.mass_g, limit: 0.0, unit: "g", levers: BATTERY };
+        let (heaviest, heaviest_g) = each.iter().copied().max_by(|a, b| a.1.total_cmp(&b.1))?;
+        let message = format!(
+            "the extra `{name}` weighs {} g and covers parts that weigh {all_g:.1} g by the catalogue, {heaviest_g:.1} g of it the {}: {:.1} g are in no \
+             mass. State its mass_g anew, or take what it does not weigh out of its `covers`",
+            extra.mass_g,
+            heaviest.replace('_', " "),
+            missing.value
+        );
+        let mut finding = missing.note(format!("extra {name}"), message);
+        finding.levers = vec![format!("extras.{name}.mass_g").into(), format!("extras.{name}.covers").into()];
+        Some(finding)
+    };
+    design.frame.extras.iter().filter_map(of).collect()
 }
 
 #[cfg(test)]
@@ -83,6 +112,24 @@ mod tests {
         let found = Planted::frame(|frame| frame.battery.battery_mass_g = 45.0).found(check);
         assert!(found.len() == 2 && found[1].message.contains("leaves 13.0 g of battery-3s-650"), "{found:?}");
         assert_eq!(Planted::frame(|frame| frame.battery.battery_mass_g = 54.0).found(check).len(), 1);
+    }
+
+    #[test]
+    fn planted_an_extra_that_is_lighter_than_what_it_covers() {
+        let with = |mass_g: f64| {
+            let extra = Extra {
+                mass_g,
+                mass_basis: crate::params::catalogue::MassBasis::Measured,
+                source: "a scale".into(),
+                position_mm: None,
+                covers: vec!["battery".into(), "computer".into()],
+            };
+            Planted::frame(|frame| drop(frame.extras.insert("pack".into(), extra))).found(check)
+        };
+        let found = with(30.0);
+        assert!(found.len() == 2 && found[1].warns() && found[1].subject == "extra pack", "{found:?}");
+        assert!(found[1].message.contains("the extra `pack` weighs 30 g and covers parts that weigh"), "{found:?}");
+        assert!(found[1].levers[0] == "extras.pack.mass_g" && with(70.0).len() == 1, "{found:?}");
     }
 
     #[test]

@@ -59,8 +59,8 @@ pub(super) fn is_one(key: &str) -> bool {
 /// # Errors
 /// When it is one of a table of names that has no such key.
 pub(super) fn of(key: &str, frame: &Frame, file: &FrameFile) -> Result<Option<Choice>, Failure> {
-    if let Some((_, what)) = KEYS.iter().find(|(known, _)| *known == key) {
-        return Ok(Some(named(key, what, file)));
+    if let Some((known, what)) = KEYS.iter().find(|(known, _)| *known == key || known.rsplit('.').next() == Some(key)) {
+        return Ok(Some(named(known, what, file)));
     }
     if let Some(role) = role(key) {
         return Ok(Some(bought(role, frame, file)));

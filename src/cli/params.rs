@@ -4,6 +4,7 @@ use std::process::ExitCode;
 
 use serde::Serialize;
 
+use super::choice;
 use super::failure::Failure;
 use super::options::{Common, FrameOption};
 use super::session;
@@ -85,19 +86,26 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// What is said where no parameter is listed: a target size is no parameter.
+/// What is said where no parameter is listed: neither a target size nor a name is one.
 fn none_listed(filter: &str) -> String {
     let targets: Vec<String> = target::KEYS
         .iter()
         .filter(|target| target.key.contains(filter))
         .map(|target| format!("`{}`, {} to {} {}", target.key, target.min, target.max, target.unit))
         .collect();
-    match targets.is_empty() {
-        true => "no key contains that text; `flexframe params` lists them all".into(),
-        false => format!(
+    let names: Vec<String> = choice::keys().into_iter().filter(|key| key.contains(filter)).map(|key| format!("`{key}`")).collect();
+    match (targets.is_empty(), names.is_empty()) {
+        (true, true) => "no key contains that text; `flexframe params` lists them all".into(),
+        (false, _) => format!(
             "no parameter contains that text, but keys of a target size, of which the three rod lengths follow: {}",
             targets.join("; ")
         ),
+        (true, false) => {
+            format!(
+                "no parameter contains that text, but keys that hold a name: {}; `flexframe explain KEY` lists the names",
+                names.join(", ")
+            )
+        }
     }
 }
 

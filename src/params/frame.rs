@@ -233,9 +233,9 @@ impl Frame {
         extra.covers.iter().map(String::as_str).filter(|role| !self.bought.contains_key(*role))
     }
 
-    /// The name of the extra that stands for a role of which nothing is bought.
-    pub fn stand_in(&self, role: &str) -> Option<&str> {
-        self.extras.iter().find(|(_, extra)| self.replaced(extra).any(|covered| covered == role)).map(|(name, _)| name.as_str())
+    /// The names of the extras that stand for a role of which nothing is bought.
+    pub fn stand_ins<'a>(&'a self, role: &'a str) -> impl Iterator<Item = &'a str> {
+        self.extras.iter().filter(move |(_, extra)| self.replaced(extra).any(|covered| covered == role)).map(|(name, _)| name.as_str())
     }
 
     /// Whether one board under the hub is flight controller and motor controllers.

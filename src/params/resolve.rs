@@ -70,6 +70,7 @@ impl Frame {
         };
         bought_relation::hold(&frame).and_then(|()| relation::hold(&frame)).map_err(|broken| file.refuse(broken.key, *broken.reason))?;
         layer_height::hold(file, &frame)?;
+        covered_once(file, &frame)?;
         Ok(frame)
     }
 }
@@ -283,21 +284,23 @@ fn extras(file: &FrameFile) -> Result<BTreeMap<String, Extra>, Refusal> {
         }
         Ok((name, extra))
     };
-    let extras = tables.into_iter().map(read).collect::<Result<BTreeMap<String, Extra>, Refusal>>()?;
-    covered_once(file, &extras)?;
-    Ok(extras)
+    tables.into_iter().map(read).collect()
 }
 
-/// Refuses a role in the masses of two extras: it would be counted twice.
-fn covered_once(file: &FrameFile, extras: &BTreeMap<String, Extra>) -> Result<(), Refusal> {
+/// Refuses a role of which something is bought in the masses of two extras: it would be counted twice.
+fn covered_once(file: &FrameFile, frame: &Frame) -> Result<(), Refusal> {
     let mut covering: BTreeMap<&str, &str> = BTreeMap::new();
-    for (name, extra) in extras.iter().filter(|(_, extra)| extra.mass_g > 0.0) {
-        let own: BTreeSet<&str> = extra.covers.iter().map(String::as_str).collect();
+    for (name, extra) in frame.extras.iter().filter(|(_, extra)| extra.mass_g > 0.0) {
+        let own: BTreeSet<&str> = extra.covers.iter().map(String::as_str).filter(|role| frame.bought.contains_key(*role)).collect();
         for role in own {
             if let Some(first) = covering.insert(role, name) {
                 let message = format!("the extras `{first}` and `{name}` both cover `{role}`, which would be counted twice");
-                let remedy = format!("take \"{role}\" out of the `covers` of one of them, or set that one's mass_g to 0");
-                return Err(file.refuse(&format!("extras.{name}.covers"), Reason::Impossible { message, remedy }));
+                let remedy = format!("take \"{role}\" out of the `covers` of one of them");
+                // The one of the frame file itself, before one of a base.
+                let depth = |key: &String| file.entries.get(key).map_or(usize::MAX, |entry| entry.depth);
+                let keys = [name, first].map(|name| format!("extras.{name}.covers"));
+                let key = keys.iter().min_by_key(|key| depth(key)).unwrap_or(&keys[0]);
+                return Err(file.refuse(key, Reason::Impossible { message, remedy }));
             }
         }
     }
@@ -399,6 +402,12 @@ mod tests {
         let twice = resolved(&(extra("pack", 30.0) + &extra("rest", 5.0))).expect_err("is counted twice");
         assert!(twice.to_string().contains("`pack` and `rest` both cover `battery`"), "{twice}");
         assert!(resolved(&(extra("pack", 30.0) + &extra("rest", 0.0))).is_ok(), "one that weighs nothing counts nothing");
+        let none = "[bought]\ncamera = \"none\"\n";
+        let of_none = extra("left", 6.0) + &extra("right", 6.0);
+        assert!(
+            resolved(&(none.to_string() + &of_none.replace("\"battery\", \"tie\"", "\"camera\""))).is_ok(),
+            "of what is not bought nothing is counted"
+        );
     }
 
     /// What nothing else does, unless an extra stands for it.

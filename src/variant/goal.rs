@@ -120,6 +120,14 @@ impl Increase {
     }
 }
 
+/// The value in an aim, `235g` of `mass=235g`, in the measure's unit; the unit may be left out.
+///
+/// # Errors
+/// When it is no number, or in another unit.
+pub fn value_of(text: &str, value: &str, measure: &'static Measure) -> Result<f64, GoalError> {
+    amount(text, value, measure, "a measure, = and its value, such as stiffness=10")
+}
+
 /// A measure by its name.
 pub(super) fn measure_named(name: &str) -> Result<&'static Measure, GoalError> {
     measure(name).ok_or_else(|| {

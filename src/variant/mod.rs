@@ -33,7 +33,7 @@ pub use choose::{Chosen, NameChoice, choose};
 pub use create::{CreateError, Creation, Moved, Request, create, movable};
 pub use difference::{Difference, Side, why_not_compared};
 pub use ended::Ended;
-pub use goal::{Goal, GoalError, Increase, Sense};
+pub use goal::{Goal, GoalError, Increase, Sense, value_of};
 pub use measures::{Better, Evaluation, MEASURES, MECHANICS_CAVEAT, Measure, beats, caveats, measure, measure_names, resolved, units};
 pub use motor_screw::fitting_motor_screw;
 pub use pareto::{Front, FrontPoint, front};

@@ -452,6 +452,14 @@ fn analytic_another_material_changes_the_mass() {
 fn analytic_usage_errors_are_exit_2_and_help_is_0() {
     assert_eq!(flexframe(&["biuld"]).status.code(), Some(2));
     assert_eq!(flexframe(&["params", "--filter", "no such key"]).status.code(), Some(2));
+    let of_a_name = flexframe(&["params", "--filter", "sleeve_direction"]);
+    assert!(of_a_name.status.code() == Some(2) && text(&of_a_name.stderr).contains("keys that hold a name: `sleeve.sleeve_direction`"));
+    let direction = flexframe(&["explain", "sleeve_direction"]);
+    assert!(
+        text(&direction.stdout).starts_with("sleeve.sleeve_direction\n") && text(&direction.stdout).contains("along, across"),
+        "{}",
+        text(&direction.stdout)
+    );
     for command in ["build", "check", "render", "params"] {
         let help = flexframe(&[command, "--help"]);
         assert_eq!(help.status.code(), Some(0));

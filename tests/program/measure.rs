@@ -158,7 +158,9 @@ fn planted_bad_records_are_flagged_with_the_reason() {
     text += &pulse("fast", 1.0, 5e-4, 80, 180.0, 1e3);
     text += &pulse("slow", 1.0, 3e-3, 40, 90.0, 1e3);
     text += &pulse("still", 1.0, 1e-3, 40, 1.0, 1e3);
-    text += &pulse("twice", 1.0, 1e-3, 50, 90.0, 1e3).replace("twice,1,0.0450,", "twice,1,0.0450,12");
+    text += &pulse("twice", 1.0, 1e-3, 50, 90.0, 1e3)
+        .replace("twice,1,0.0450,", "twice,1,0.0450,12")
+        .replace("twice,1,0.0460,", "twice,1,0.0460,12");
     text += &pulse("full", 1.0, 1e-3, 40, 300.0, 230.0);
     text += &pulse("gap", 1.0, 1e-3, 40, 90.0, 1e3)
         .replace("gap,1,0.0300,", "#")

@@ -298,3 +298,27 @@ fn regress_notes_stand_before_flagged_records() {
     assert_eq!(said.matches("columns left aside").count(), 1, "{said}");
     assert!(said.contains("note: 2 files, a.csv the first: columns left aside: volt"), "{said}");
 }
+
+#[test]
+fn planted_stray_readings_are_told_and_change_no_fit() {
+    let with = |stray: &dyn Fn(&Sample) -> Option<f64>| {
+        let text = table(HEAD, 1e-3, |sample| plain(&Sample { along_g: stray(sample).unwrap_or(sample.along_g), ..*sample }));
+        let folder = tempfile::tempdir().expect("a folder");
+        fs::write(folder.path().join("a.csv"), text).expect("can be written");
+        let notes = measured(folder.path(), &["a.csv"])["notes"].to_string();
+        let fit = run("fit", folder.path(), &["--bootstrap", "0", "--json", "a.csv"]);
+        assert_eq!(fit.status.code(), Some(0), "{}", String::from_utf8_lossy(&fit.stderr));
+        let fit: Value = serde_json::from_slice(&fit.stdout).expect("JSON");
+        (notes, fit["parameters"].clone())
+    };
+    let numbers = |parameters: &Value| -> Vec<f64> {
+        parameters.as_object().expect("parameters").values().map(|parameter| parameter["value"].as_f64().expect("a number")).collect()
+    };
+    let (notes, plain) = with(&|_| None);
+    assert_eq!(notes, "[]");
+    let (notes, stray) = with(&|sample| (sample.at == 200).then_some(30.0));
+    assert!(notes.contains("in 10 of 10 drops readings above 3 g are of no hit"), "{notes}");
+    for (a, b) in numbers(&plain).iter().zip(numbers(&stray)) {
+        assert!((a - b).abs() < 0.02 * a.abs(), "{plain:#} {stray:#}");
+    }
+}

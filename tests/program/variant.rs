@@ -91,6 +91,9 @@ fn planted_a_lighter_battery_shows_where_it_acts_and_nowhere_else() {
     let why = json["not_compared"][0].as_str().expect("text");
     assert!(why.starts_with("peak: not compared") && why.contains("cognifly hits the ground at"), "{why}");
     assert!(json["peak"].as_str().expect("text").contains("reacts to mass and gap only"));
+    let strikes: Vec<f64> =
+        measure("peak.strike")["values"].as_array().expect("two").iter().filter_map(serde_json::Value::as_f64).collect();
+    assert!(strikes.len() == 2 && strikes[1] < strikes[0] && measure("peak.strike")["trend"] == "better", "{strikes:?}");
     assert_eq!(measure("envelope.width")["trend"], "neither");
 
     let (code, _, err) =
@@ -443,7 +446,8 @@ fn planted_solve_chooses_by_name_comes_near_and_finds_a_front() {
         (&["solve", "--pareto", "mass", "--vary", "arm_rod"][..], "give two or three measures"),
         (&["solve", "--pareto", "mass,mass", "--vary", "arm_rod"], "mass stands there twice"),
         (&["solve", "--aim", "mass", "--vary", "arm_rod"], "give a measure and its value"),
-        (&["solve", "--aim", "mass=heavy", "--vary", "arm_rod"], "\"heavy\" is no number"),
+        (&["solve", "--aim", "mass=heavy", "--vary", "arm_rod"], "`mass=heavy` does not read: write a measure, = and its value"),
+        (&["solve", "--aim", "mass=235kg", "--vary", "arm_rod"], "`mass=235kg` is in kg, mass is measured in g"),
         (&["solve", "--minimise", "mass", "--aim", "mass=200", "--vary", "arm_rod"], "cannot be used with"),
         (&["solve", "--minimise", "mass", "--choose", "rods.arm_rod_length_mm"], "by name, such as bought.battery"),
         (&["solve", "--minimise", "mass", "--choose", "bought.battery,bought.motor,bought.propeller", "--frames", "10"], "raise --frames"),

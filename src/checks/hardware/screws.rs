@@ -98,13 +98,14 @@ pub(super) fn stack_screws(scene: &Scene) -> Vec<Finding> {
     let beyond =
         measure(lowest - (stack.seat_mm - length), part(frame, "stack_nut").map_or(NUT * thread, |nut| nut.size_mm[2]), "mm", STACK_LENGTH);
     let [reach, nut] = beyond.figures(2);
+    let ends = reach.strip_prefix('-').map_or(format!("reaches {reach} mm beyond"), |short| format!("ends {short} mm short of"));
     let message = match beyond.value < beyond.limit {
         true => format!(
-            "{called} reaches {reach} mm beyond what it holds under the hub, a nut is {nut} mm high: the screw has to be {:.1} mm long",
+            "{called} {ends} what it holds under the hub, a nut is {nut} mm high: the screw has to be {:.1} mm long",
             // Up to the next tenth: rounded down it might be what it is.
             (10.0 * (length + beyond.limit - beyond.value) - 1e-6).ceil() / 10.0
         ),
-        false => format!("{called} reaches {reach} mm beyond what it holds under the hub, a nut is {nut} mm high"),
+        false => format!("{called} {ends} what it holds under the hub, a nut is {nut} mm high"),
     };
     found.push(beyond.at_least("screw of the stack: length".into(), message));
     found

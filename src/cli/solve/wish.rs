@@ -6,7 +6,7 @@ use crate::cli::failure::Failure;
 use crate::mechanics::settings::MechanicsSettings;
 use crate::params::refusal::nearest;
 use crate::params::{Frame, FrameFile};
-use crate::variant::{Aim, Better, Goal, Measure, NameChoice, measure, measure_names};
+use crate::variant::{Aim, Better, Goal, Measure, NameChoice, measure, measure_names, value_of};
 
 /// How many goals a front may have.
 const GOALS: std::ops::RangeInclusive<usize> = 2..=3;
@@ -37,8 +37,7 @@ impl Wanted {
             let usage = |message: String| Failure::Usage { message: format!("--aim {text}: {message}") };
             let (name, value) = text.split_once('=').ok_or_else(|| usage("give a measure and its value, such as stiffness=10".into()))?;
             let of = named("--aim", name.trim())?;
-            let value = value.trim().trim_end_matches(of.unit).trim();
-            let value: f64 = value.parse().ok().filter(|v: &f64| v.is_finite()).ok_or_else(|| usage(format!("{value:?} is no number")))?;
+            let value = value_of(text, value, of).map_err(|error| Failure::Usage { message: format!("--aim: {error}") })?;
             return Ok(Self::Frame {
                 aim: Aim::Toward(of, value),
                 of,

@@ -180,8 +180,6 @@ pub(super) fn extra_called(name: &str) -> String {
 
 /// What stands for a role of which nothing is bought, in a sentence.
 pub(super) fn instead(frame: &Frame, role: &str) -> String {
-    match frame.stand_in(role) {
-        Some(name) => extra_called(name),
-        None => format!("what stands for the {}", role.replace('_', " ")),
-    }
+    let names: Vec<String> = frame.stand_ins(role).map(extra_called).collect();
+    if names.is_empty() { format!("what stands for the {}", role.replace('_', " ")) } else { names.join(" and ") }
 }

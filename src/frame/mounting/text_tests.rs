@@ -48,6 +48,12 @@ fn planted_single_controllers_are_told_by_the_extras_name() {
     assert!(wiring.contains("led strip") && !told.contains_key("wiring") && !told.contains_key("bracket"), "{wiring}");
     let built_in: Vec<&String> = design.frame.built_in_extras().map(|(name, _)| name).collect();
     assert_eq!(built_in, ["arm_escs", "led_strip", "wiring"]);
+    let pairs = self::told(&bought, &[("left_escs", "motor_controller"), ("right_escs", "motor_controller")]);
+    assert!(
+        pairs["wiring_of_extra"].contains("Fasten the extra \"left escs\" and the extra \"right escs\""),
+        "{}",
+        pairs["wiring_of_extra"]
+    );
 }
 
 #[test]

@@ -8,7 +8,7 @@
 use super::clock_period::ClockPeriod;
 use super::clock_sign::ClockSign;
 use super::clock_trace::ClockTrace;
-use super::fall_length::FallLength;
+use super::fall_length::{FallLength, UsualFall};
 use super::flag::impulse_over_v0;
 use super::impact::WINDOW_S;
 use super::shorth::Shorth;
@@ -38,7 +38,7 @@ const ACTS_S: f64 = 0.015;
 
 /// What is usual at a height.
 struct Usual {
-    fall: Option<Shorth>,
+    fall: UsualFall,
     impulse: Option<Shorth>,
     vibration: [Option<Shorth>; 2],
     noise: Option<Shorth>,
@@ -48,7 +48,7 @@ impl Usual {
     fn of(traces: &[&ClockTrace]) -> Self {
         let of = |value: &dyn Fn(&ClockTrace) -> Option<f64>| Shorth::of(traces.iter().filter_map(|trace| value(trace)));
         Self {
-            fall: of(&|trace| trace.fall_s),
+            fall: UsualFall::of(&traces.iter().filter_map(|trace| trace.fall_s).collect::<Vec<_>>()),
             impulse: of(&|trace| Some(trace.over_v0)),
             vibration: [0, 1].map(|at| of(&|trace| trace.vibration[at])),
             noise: of(&|trace| trace.noise),

@@ -5,7 +5,10 @@
 //! period. *When it is wrong:* where records do not begin at the begin of a period, where the noise is white down to the faster
 //! rate, and for fewer than three periods a record. No period is found there.
 
+use std::ops::Range;
+
 use super::record::Record;
+use super::spread::{QUARTILES_APART, Spread};
 
 /// Cells into which a record is divided at most.
 const CELLS: usize = 2000;
@@ -17,6 +20,9 @@ const NOISY: f64 = 4.0;
 const LEAST_NOISE_G: f64 = 0.06;
 /// Samples on either side that must be quiet, too.
 const AROUND: usize = 4;
+/// A magnitude above this is of a hit, g, and what is so near to it rings, s: no noise, at the same place of records that were begun alike.
+const HIT_G: f64 = 2.0;
+const RINGS_S: f64 = 0.02;
 /// Cells over which the baseline's median is taken, on either side.
 const BASELINE: usize = 200;
 /// Shortest period, cells, steps between periods, cells, and the fewest periods in a record.
@@ -80,6 +86,8 @@ impl ClockPeriod {
 struct Pooled {
     excess: Vec<f64>,
     weight: Vec<f64>,
+    /// How far the sums of neighbouring cells vary, in the standard errors of white noise: more than 1 where a filter makes noise smooth.
+    error: f64,
 }
 
 impl Pooled {
@@ -87,8 +95,9 @@ impl Pooled {
         let count = longest.div_ceil(cell);
         let (mut product, mut weight) = (vec![0.0; count], vec![0.0; count]);
         for record in records {
+            let hits = Hits::of(record);
             for axis in record.axes() {
-                pool(axis, cell, &mut product, &mut weight);
+                pool(axis, &hits, cell, &mut product, &mut weight);
             }
         }
         let mean: Vec<f64> = product.iter().zip(&weight).map(|(sum, weight)| if *weight > 0.0 { sum / weight } else { 0.0 }).collect();
@@ -99,7 +108,18 @@ impl Pooled {
                 mean[at] - *around.select_nth_unstable_by(middle, f64::total_cmp).1
             })
             .collect();
-        Self { excess, weight }
+        let white = Self { excess, weight, error: 1.0 };
+        let length = BIN as usize;
+        let blocks = (0..count / length).map(|block| white.rise(block * length..(block + 1) * length));
+        // By the lower half of them: where a clock stalls the correlation rises.
+        let error = Spread::of(blocks).map_or(1.0, |blocks| (2.0 * (blocks.median - blocks.q1) / QUARTILES_APART).max(1.0));
+        Self { error, ..white }
+    }
+
+    /// How far the correlation rises in some cells, in standard errors.
+    fn rise(&self, cells: Range<usize>) -> f64 {
+        let (sum, weight) = self.sums(cells);
+        sum / weight.max(1.0).sqrt() / self.error
     }
 
     /// Sum of the excess and of the weights from a cell to another.
@@ -124,7 +144,7 @@ impl Pooled {
                 let bin = (begin + length - 1) % bins;
                 sum += sums[bin];
                 weight += weights[bin];
-                let rise = sum / f64::max(weight, 1.0).sqrt();
+                let rise = sum / f64::max(weight, 1.0).sqrt() / self.error;
                 if length as f64 * width >= SHORTEST_STRETCH && best.is_none_or(|best| rise > best.rise) {
                     best = Some(ClockPeriod { samples: period, begin: begin as f64 * width, stretch: length as f64 * width, rise });
                 }
@@ -139,18 +159,39 @@ impl Pooled {
         let begins = (0..).map(|turn| period.begin + f64::from(turn) * period.samples).take_while(|begin| *begin < count as f64);
         let rises: Vec<bool> = begins
             .filter(|begin| begin + period.stretch <= count as f64)
-            .map(|begin| {
-                let (sum, weight) = self.sums(begin as usize..((begin + period.stretch) as usize).min(count));
-                sum / weight.max(1.0).sqrt() > RISE_OF_ONE
-            })
+            .map(|begin| self.rise(begin as usize..((begin + period.stretch) as usize).min(count)) > RISE_OF_ONE)
             .collect();
         let rising = rises.iter().filter(|rises| **rises).count();
         rising >= 3 && 4 * rising >= 3 * rises.len()
     }
 }
 
+/// Where a record has hits.
+struct Hits {
+    /// How many readings up to a sample are of hits; 0 before the first.
+    until: Vec<usize>,
+    /// Samples on either side that may ring.
+    around: usize,
+}
+
+impl Hits {
+    fn of(record: &Record) -> Self {
+        let mut count = 0;
+        let counted = (0..record.len()).map(|sample| {
+            count += usize::from(record.size_g(sample) > HIT_G);
+            count
+        });
+        Self { until: std::iter::once(0).chain(counted).collect(), around: record.samples_in(RINGS_S) }
+    }
+
+    fn are_far(&self, sample: usize) -> bool {
+        let last = self.until.len() - 1;
+        self.until[(sample + self.around + 1).min(last)] == self.until[sample.saturating_sub(self.around)]
+    }
+}
+
 /// Adds an axis' products of neighbouring noise over its variance, where it is quiet.
-fn pool(axis: &[f64], cell: usize, product: &mut [f64], weight: &mut [f64]) {
+fn pool(axis: &[f64], hits: &Hits, cell: usize, product: &mut [f64], weight: &mut [f64]) {
     let count = axis.len();
     if count < 4 * SMOOTHED {
         return;
@@ -177,7 +218,7 @@ fn pool(axis: &[f64], cell: usize, product: &mut [f64], weight: &mut [f64]) {
     let quiet = |at: usize| loud[at + 1 + AROUND] == loud[at - AROUND - 1];
     let variance = noise_g * noise_g;
     for at in AROUND + 1..count - AROUND - 2 {
-        if quiet(at) {
+        if quiet(at) && hits.are_far(at) {
             product[at / cell] += noise[at] * noise[at + 1] / variance;
             weight[at / cell] += 0.5 * (noise[at] * noise[at] + noise[at + 1] * noise[at + 1]) / variance;
         }

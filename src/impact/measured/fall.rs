@@ -79,7 +79,7 @@ impl Fall {
         let fall = falls.first().filter(|_| is_far && is_unit)?;
         let like = if are_feet { ": they look like feet" } else { "" };
         Some(format!(
-            "drops from a stated {} m fell for {:.3} s, a free fall from there takes {:.3} s: the heights are not in m{like}. State them in m",
+            "drops from a stated {} m fell for {:.3} s, a free fall from there takes {:.3} s: the heights are not in m{like}. State them in m; where the time stamps are wrong, --rate HZ replaces them",
             fall.height_m, fall.fall_s, fall.expected_s
         ))
     }
@@ -96,7 +96,7 @@ impl Fall {
     fn of_another_height(&self) -> String {
         format!(
             "the fall of {} drops from a stated {} m lasted {:.0} ± {:.0} ms, and {:.0} ms are expected: it belongs to {:.2} m. Do they lie in the \
-             wrong folder, or is the height wrong?",
+             wrong folder, or is the height wrong, or the rate of the time stamps (--rate)?",
             self.drops,
             self.height_m,
             1e3 * self.fall_s,

@@ -1,7 +1,7 @@
 //! Where the free fall begins in a record: where the frame was let go.
 //!
 //! A frame that is held feels 1 g, one that falls nothing but noise: back from the impact the fall begins where the mean magnitude over some
-//! readings, and the middle one of them, is above a level between the two. Where noise or a zero of the sensor reach that level by themselves, the mean of the axes is taken
+//! readings, without one that stands alone, is above a level between the two. Where noise or a zero of the sensor reach that level by themselves, the mean of the axes is taken
 //! instead, and compared with what they read in the last of the fall: of so many readings that noise does not reach the level.
 //!
 //! *When it is wrong:* where the fall is shorter than what its readings are taken from, and for noise of more than some 0.5 g on each axis or
@@ -15,6 +15,8 @@ use super::spread::Spread;
 /// Above this mean magnitude, or difference of the axes' mean from that in the fall, a frame is held, g: a choice between 1 g and the 0.3 g of
 /// noise that the real frame's sensor reads in the fall.
 const HELD_G: f64 = 0.6;
+/// A reading so many times as large as any other beside it is none of a hand.
+const ALONE: f64 = 3.0;
 /// Time over which a mean is taken, s, and the fewest readings of it.
 const MEAN_S: f64 = 0.005;
 const FEWEST: usize = 5;
@@ -43,17 +45,28 @@ pub(super) fn fall_begin(record: &Record, end: usize) -> (usize, bool) {
     }
 }
 
-/// By the mean magnitude, and the middle one: a reading that stands alone is no hand.
+/// By the mean magnitude.
 fn by_size(record: &Record, end: usize, count: usize) -> (usize, bool) {
     let mut begin = end;
     while begin >= count {
-        let sizes = || (begin - count..begin).map(|sample| record.size_g(sample));
-        if sizes().sum::<f64>() > HELD_G * count as f64 && median(sizes()) > HELD_G {
+        if is_held((begin - count..begin).map(|sample| record.size_g(sample))) {
             return (begin, true);
         }
         begin -= 1;
     }
     (0, false)
+}
+
+/// Whether the mean of some magnitudes is that of a held frame, without one that stands alone.
+fn is_held(sizes: impl Iterator<Item = f64>) -> bool {
+    let (mut sum, mut count, mut largest, mut second) = (0.0, 0.0, 0.0_f64, 0.0_f64);
+    for size in sizes {
+        (sum, count) = (sum + size, count + 1.0);
+        second = second.max(size.min(largest));
+        largest = largest.max(size);
+    }
+    let is_alone = largest > ALONE * second;
+    sum > HELD_G * count && (!is_alone || sum - largest > HELD_G * (count - 1.0))
 }
 
 /// By the mean of the axes, which in these last samples of the fall read their zeros and noise.

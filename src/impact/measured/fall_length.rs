@@ -2,6 +2,7 @@
 
 use super::clock_sign::ClockSign;
 use super::shorth::Shorth;
+use super::spread::Spread;
 use crate::units::GRAVITY_M_S2;
 
 /// How much shorter than others a fall must be: deviations, and s.
@@ -21,6 +22,33 @@ const LEAST_FALL_S: f64 = 0.001;
 /// Drag over mass of the CogniFly frame in its fall, 1/m: by the falls of the drops of arXiv 2103.04423 against their heights.
 const DRAG_1_M: f64 = 0.038;
 
+/// Fewest falls that agree with one another, and the share of all that does, where there are too few for a deviation.
+const FEW: usize = 4;
+const AGREE: f64 = 0.75;
+
+/// What is usual at a height.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum UsualFall {
+    /// The shortest half of others.
+    Of(Shorth),
+    /// The median of a few that agree with one another, s.
+    OfFew(f64),
+    /// The fall from the stated height: there are too few others.
+    OfHeight,
+}
+
+impl UsualFall {
+    /// Of the falls from one height, s.
+    pub fn of(falls_s: &[f64]) -> Self {
+        if let Some(shorth) = Shorth::of(falls_s.iter().copied()) {
+            return Self::Of(shorth);
+        }
+        let median_s = Spread::of(falls_s.iter().copied()).map_or(f64::NAN, |spread| spread.median);
+        let agree = falls_s.iter().filter(|fall_s| (*fall_s - median_s).abs() < SHORT_OF_HEIGHT_S).count();
+        if agree >= FEW && agree as f64 >= AGREE * falls_s.len() as f64 { Self::OfFew(median_s) } else { Self::OfHeight }
+    }
+}
+
 /// How a fall compares with what is usual.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct FallLength {
@@ -37,11 +65,11 @@ pub(super) struct FallLength {
 
 impl FallLength {
     /// Compares a fall with the usual one, or with that of the height where there are too few others.
-    pub fn of(height_m: f64, own_s: Option<f64>, usual: Option<Shorth>) -> Self {
+    pub fn of(height_m: f64, own_s: Option<f64>, usual: UsualFall) -> Self {
         let Some(own_s) = own_s else { return Self::default() };
         match usual {
-            Some(shorth) if shorth.deviation > MOST_VARIED_S => Self::default(),
-            Some(shorth) => {
+            UsualFall::Of(shorth) if shorth.deviation > MOST_VARIED_S => Self::default(),
+            UsualFall::Of(shorth) => {
                 let (deviations, missing_s) = (-shorth.above(own_s, LEAST_FALL_S), shorth.middle - own_s);
                 Self {
                     own_s,
@@ -52,7 +80,12 @@ impl FallLength {
                     is_long: deviations < -SHORT && missing_s < -SHORT_S,
                 }
             }
-            None => {
+            UsualFall::OfFew(usual_s) => {
+                let missing_s = usual_s - own_s;
+                let is_short = missing_s > SHORT_OF_HEIGHT_S;
+                Self { own_s, usual_s, is_of_height: false, is_short, is_rather_short: is_short, is_long: missing_s < -SHORT_OF_HEIGHT_S }
+            }
+            UsualFall::OfHeight => {
                 let usual_s = fall_in_air_s(height_m);
                 if !(1.0 / OTHER_HEIGHT..OTHER_HEIGHT).contains(&(own_s / usual_s)) {
                     return Self::default();
@@ -93,7 +126,7 @@ mod tests {
 
     #[test]
     fn planted_a_height_in_another_unit_is_no_stalled_clock() {
-        let sign = |height_m: f64| FallLength::of(height_m, Some(0.316), None).sign();
+        let sign = |height_m: f64| FallLength::of(height_m, Some(0.316), UsualFall::OfHeight).sign();
         assert!(sign(50.0).is_none() && sign(0.005).is_none() && sign(0.5).is_none());
         let told = sign(1.0).expect("is 130 ms short").to_string();
         assert!(told.contains("the fall lasts 316 ms") && !told.contains("usual"), "{told}");

@@ -3,7 +3,6 @@
 use std::ops::Range;
 
 use super::fall_begin::fall_begin;
-use super::first_hit::FirstHit;
 use super::impact_speed_m_s;
 use super::record::Record;
 use crate::units::GRAVITY_M_S2;
@@ -28,8 +27,6 @@ const QUIET_S: f64 = 0.005;
 pub struct Impact {
     /// Sample before the first above 3 g; contact begins here or up to one step later.
     pub trigger: usize,
-    /// The first reading above 3 g where that is not of the impact, but of the release or alone in the fall.
-    pub passed_over: Option<usize>,
     /// Largest magnitude in the whole record.
     pub peak: usize,
     /// Largest magnitude, g.
@@ -67,7 +64,7 @@ impl Impact {
     pub fn of(record: &Record) -> Option<Self> {
         let size = |sample: usize| record.size_g(sample);
         let count = record.len();
-        let FirstHit { sample: first, passed_over } = FirstHit::of(record)?;
+        let first = (0..count).find(|sample| size(*sample) > TRIGGER_G)?;
         let trigger = first.saturating_sub(1);
         let peak = (trigger..count).max_by(|a, b| size(*a).total_cmp(&size(*b)).then(b.cmp(a)))?;
         let after = |s: f64| record.t_s.partition_point(|t_s| *t_s < record.t_s[trigger] + s - 1e-6);
@@ -82,7 +79,6 @@ impl Impact {
         let last = falling.start.max(falling.end.saturating_sub(record.samples_in(NOISE_S)))..falling.end;
         Some(Self {
             trigger,
-            passed_over,
             peak,
             peak_g: size(peak),
             peak_axial_g: record.accel_g[trigger..].iter().copied().fold(f64::NEG_INFINITY, f64::max),

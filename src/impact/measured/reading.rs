@@ -9,6 +9,7 @@ use super::logger::{self, Label};
 use super::malformed::{Fault, Malformed, SourcePosition};
 use super::record::{DropSet, Record};
 use super::speed_heights;
+use super::stray_readings::{self, without_stray};
 use super::symptom::symptoms_and_heights;
 use super::table;
 
@@ -94,7 +95,10 @@ pub(super) fn gathered(all: Vec<Result<Read, Malformed>>) -> Result<DropSet, Mal
     // As each may hold one drop, a frame's tables say together what its sensor reads.
     let is_of_table = |record: &Record| FileKind::of(Path::new(&record.source)) == Some(FileKind::Table);
     records.iter_mut().filter(|record| beyond.contains(&record.frame) && is_of_table(record)).for_each(|record| record.at_full_scale = 0);
+    let count = records.len();
+    let stray: Vec<_> = records.iter_mut().filter_map(without_stray).collect();
     let mut set = DropSet::of(records, notes(&remarks));
+    set.notes.extend(stray_readings::told(&stray, count));
     let shown = symptoms_and_heights(&set);
     set.notes.extend(shown);
     Ok(set)

@@ -6,7 +6,8 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-use super::flag::impulse_over_v0;
+use super::flag::{Flag, flags, impulse_over_v0};
+use super::free_fall::lasting_s;
 use super::impact::Impact;
 use super::record::{DropSet, Record};
 use super::session::Session;
@@ -16,8 +17,12 @@ use super::spread::Spread;
 const FEWEST: usize = 4;
 /// Scales that are let be: a flight begins later than the impact's window, and ends with a frame that has turned. Those of the paper's frames are 0.9 to 1.2.
 const LET_BE: [f64; 2] = [0.75, 1.35];
+/// Falls that differ from those of the heights by more than this share, as of wrong heights or wrong time stamps, say nothing of the scale.
+const OTHER_FALL: f64 = 0.1;
 /// What nearly all drops of a session have at least, where flights are not seen: 1, with room for slopes and for what comes behind the window.
 const LEAST_OVER_V0: f64 = 0.85;
+/// Before the fall begins a hand lets go, s, and the frame is held for so long before that, at least.
+const RELEASE_S: f64 = 0.1;
 /// How far the magnitude while a frame is held may be from the scale, as a factor.
 const HELD: f64 = 1.25;
 
@@ -50,7 +55,8 @@ impl SensorScale {
         let impacts: Vec<(&Record, Option<Impact>)> = set.records().map(|record| (record, Impact::of(record))).collect();
         let mut drops: BTreeMap<String, Vec<(&Record, &Impact)>> = BTreeMap::new();
         for (record, impact) in &impacts {
-            drops.entry(Session::name_of(record)).or_default().extend(impact.as_ref().map(|impact| (*record, impact)));
+            let whole = impact.as_ref().filter(|impact| !is_saturated(record, impact));
+            drops.entry(Session::name_of(record)).or_default().extend(whole.map(|impact| (*record, impact)));
         }
         let sessions = Session::all(impacts.iter().map(|(record, impact)| (*record, impact)));
         sessions.into_iter().filter_map(|session| Self::of(&session, drops.get(&session.name)?)).collect()
@@ -60,28 +66,61 @@ impl SensorScale {
         let over_v0 = |(record, impact): &(&Record, &Impact)| impact.impulse_over_v0(record.height_m);
         let one_and_restitution = |(record, impact): &(&Record, &Impact)| Some(1.0 + impact.restitution_by_flight(record.height_m)?);
         let impulses = Spread::of(drops.iter().map(over_v0)).filter(|spread| spread.count >= FEWEST)?;
+        let fall = |(record, impact): &(&Record, &Impact)| Some(impact.fall_s? / lasting_s(record.height_m));
+        let falls = Spread::of(drops.iter().filter_map(fall));
+        if falls.is_some_and(|falls| (falls.median - 1.0).abs() > OTHER_FALL) {
+            return None;
+        }
         let scales = Spread::of(drops.iter().filter_map(|drop| Some(over_v0(drop) / one_and_restitution(drop)?)));
+        let most = drops.iter().map(|(record, _)| *impulse_over_v0(record.height_m).end()).fold(0.0, f64::max);
         let evidence = match scales.filter(|spread| spread.count >= FEWEST) {
             Some(scales) => {
-                let is_off = scales.q3 < LET_BE[0] || scales.q1 > LET_BE[1];
+                // A frame that is caught, or hits something, has a short flight, and looks as if its readings were too large.
+                let is_off = scales.q3 < LET_BE[0] || (scales.q1 > LET_BE[1] && impulses.q1 > most);
                 let by_flight = Spread::of(drops.iter().filter_map(one_and_restitution)).filter(|_| is_off)?;
                 Evidence::Flight { one_and_restitution: by_flight.median, scale: scales.median }
             }
-            None => {
-                let most = drops.iter().map(|(record, _)| *impulse_over_v0(record.height_m).end()).fold(0.0, f64::max);
-                match impulses {
-                    _ if impulses.q3 < LEAST_OVER_V0 => Evidence::Least,
-                    _ if impulses.q1 > most => Evidence::Most { most },
-                    _ => return None,
-                }
-            }
+            None => match impulses {
+                _ if impulses.q3 < LEAST_OVER_V0 => Evidence::Least,
+                _ if impulses.q1 > most => Evidence::Most { most },
+                _ => return None,
+            },
         };
         let is_held_alike = session.held_g.is_none_or(|held| evidence.agrees_with(held.median));
-        is_held_alike.then(|| Self { session: session.name.clone(), drops: impulses.count, over_v0: impulses.median, evidence })
+        // One axis reads 1 g at the most while the frame is held.
+        let along = Spread::of(drops.iter().filter_map(|(record, impact)| held_along_g(record, impact)));
+        let is_possible = along.is_none_or(|along| along.median < HELD * evidence.scale());
+        (is_held_alike && is_possible).then(|| Self {
+            session: session.name.clone(),
+            drops: impulses.count,
+            over_v0: impulses.median,
+            evidence,
+        })
     }
 }
 
+/// Whether a reading stands at an end of the sensor, or the top of the impact is cut off.
+fn is_saturated(record: &Record, impact: &Impact) -> bool {
+    flags(record, Some(impact), Vec::new()).iter().any(|flag| matches!(flag, Flag::Saturated { .. }))
+}
+
+/// Mean reading along the axis before the fall, g.
+fn held_along_g(record: &Record, impact: &Impact) -> Option<f64> {
+    impact.fall_s?;
+    let held = &record.accel_g[..impact.falling.start.checked_sub(record.samples_in(RELEASE_S))?];
+    (held.len() >= record.samples_in(RELEASE_S)).then(|| held.iter().sum::<f64>().abs() / held.len() as f64)
+}
+
 impl Evidence {
+    /// The scale at the most.
+    fn scale(&self) -> f64 {
+        match self {
+            Self::Flight { scale, .. } => *scale,
+            Self::Least => 1.0 / HELD,
+            Self::Most { .. } => f64::INFINITY,
+        }
+    }
+
     /// Whether a frame that is held, which feels 1 g, reads as this says.
     fn agrees_with(&self, held_g: f64) -> bool {
         match self {

@@ -1,7 +1,6 @@
 //! What records show together of how they were measured or written, each with what mends it.
 
 use super::copied_records::CopiedRecords;
-use super::early_readings::EarlyReadings;
 use super::fall::Fall;
 use super::free_fall_offset::FreeFallOffset;
 use super::hint::Hint;
@@ -43,8 +42,7 @@ fn told(set: &DropSet, of_falls: impl Fn(&[Fall]) -> Vec<String>) -> Vec<String>
             // A wrong height has another impulse, too.
             let scales = if heights.is_empty() && offsets.is_empty() { SensorScale::all(set) } else { Vec::new() };
             let scales: Vec<String> = scales.iter().map(ToString::to_string).collect();
-            let early = EarlyReadings::of(set).map(|early| early.to_string());
-            let of_readings = offsets.iter().map(ToString::to_string).chain(zeros).chain(heights).chain(scales).chain(early);
+            let of_readings = offsets.iter().map(ToString::to_string).chain(zeros).chain(heights).chain(scales);
             of_readings.chain(noise).chain(others).collect()
         }
     }
