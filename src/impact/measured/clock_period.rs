@@ -20,9 +20,11 @@ const NOISY: f64 = 4.0;
 const LEAST_NOISE_G: f64 = 0.06;
 /// Samples on either side that must be quiet, too.
 const AROUND: usize = 4;
-/// A magnitude above this is of a hit, g, and what is so near to it rings, s: no noise, at the same place of records that were begun alike.
+/// A magnitude above this is of a hit, g, and what is so near to it rings, s: at the same place of records that were begun alike.
 const HIT_G: f64 = 2.0;
 const RINGS_S: f64 = 0.02;
+/// Standard errors by which the correlation rises far from hits, too.
+const RISE_FAR: f64 = 5.0;
 /// Cells over which the baseline's median is taken, on either side.
 const BASELINE: usize = 200;
 /// Shortest period, cells, steps between periods, cells, and the fewest periods in a record.
@@ -64,7 +66,7 @@ impl ClockPeriod {
     pub fn of(records: &[&Record]) -> Option<Self> {
         let longest = records.iter().map(|record| record.len()).max()?;
         let cell = longest.div_ceil(CELLS);
-        let pooled = Pooled::of(records, longest, cell);
+        let pooled = Pooled::of(records, longest, cell, |_, _| true);
         let cells = longest as f64 / cell as f64;
         let scanned = ((cells / FEWEST_PERIODS - SHORTEST) / STEP).max(0.0) as usize;
         let all: Vec<Self> = (0..scanned).filter_map(|at| pooled.folded(SHORTEST + STEP * at as f64)).collect();
@@ -72,8 +74,13 @@ impl ClockPeriod {
         rises.sort_by(f64::total_cmp);
         let needed = RISE.max(RISE_OVER_MEDIAN * rises.get(rises.len() / 2)?);
         let best = all.into_iter().filter(|period| pooled.rises_in_each(period)).max_by(|a, b| a.rise.total_cmp(&b.rise))?;
+        if best.rise < needed {
+            return None;
+        }
+        // Hits of records that were begun alike, and what rings behind them, lie at the same samples, and may look like a period.
+        let far = Pooled::of(records, longest, cell, Hits::are_far);
         let cell = cell as f64;
-        (best.rise >= needed).then_some(Self {
+        (far.rise_in(&best) > RISE_FAR).then_some(Self {
             samples: best.samples * cell,
             begin: best.begin * cell,
             stretch: best.stretch * cell,
@@ -91,13 +98,14 @@ struct Pooled {
 }
 
 impl Pooled {
-    fn of(records: &[&Record], longest: usize, cell: usize) -> Self {
+    /// Of the samples that are asked for.
+    fn of(records: &[&Record], longest: usize, cell: usize, is_asked: impl Fn(&Hits, usize) -> bool) -> Self {
         let count = longest.div_ceil(cell);
         let (mut product, mut weight) = (vec![0.0; count], vec![0.0; count]);
         for record in records {
             let hits = Hits::of(record);
             for axis in record.axes() {
-                pool(axis, &hits, cell, &mut product, &mut weight);
+                pool(axis, |at| is_asked(&hits, at), cell, &mut product, &mut weight);
             }
         }
         let mean: Vec<f64> = product.iter().zip(&weight).map(|(sum, weight)| if *weight > 0.0 { sum / weight } else { 0.0 }).collect();
@@ -153,14 +161,27 @@ impl Pooled {
         best
     }
 
+    /// The stretches of a period in the record.
+    fn stretches(&self, period: &ClockPeriod) -> impl Iterator<Item = Range<usize>> {
+        let (count, stretch) = (self.excess.len(), period.stretch);
+        let begins = (0..).map({
+            let period = *period;
+            move |turn| period.begin + f64::from(turn) * period.samples
+        });
+        let whole = begins.take_while(move |begin| begin + stretch <= count as f64);
+        whole.map(move |begin| begin as usize..((begin + stretch) as usize).min(count))
+    }
+
+    /// How far the correlation rises in all stretches of a period together, in standard errors.
+    fn rise_in(&self, period: &ClockPeriod) -> f64 {
+        let sums = self.stretches(period).map(|cells| self.sums(cells));
+        let (sum, weight) = sums.fold((0.0, 0.0), |(sum, weight), own| (sum + own.0, weight + own.1));
+        sum / f64::max(weight, 1.0).sqrt() / self.error
+    }
+
     /// Whether the correlation rises in most of the single periods, too.
     fn rises_in_each(&self, period: &ClockPeriod) -> bool {
-        let count = self.excess.len();
-        let begins = (0..).map(|turn| period.begin + f64::from(turn) * period.samples).take_while(|begin| *begin < count as f64);
-        let rises: Vec<bool> = begins
-            .filter(|begin| begin + period.stretch <= count as f64)
-            .map(|begin| self.rise(begin as usize..((begin + period.stretch) as usize).min(count)) > RISE_OF_ONE)
-            .collect();
+        let rises: Vec<bool> = self.stretches(period).map(|cells| self.rise(cells) > RISE_OF_ONE).collect();
         let rising = rises.iter().filter(|rises| **rises).count();
         rising >= 3 && 4 * rising >= 3 * rises.len()
     }
@@ -191,7 +212,7 @@ impl Hits {
 }
 
 /// Adds an axis' products of neighbouring noise over its variance, where it is quiet.
-fn pool(axis: &[f64], hits: &Hits, cell: usize, product: &mut [f64], weight: &mut [f64]) {
+fn pool(axis: &[f64], is_asked: impl Fn(usize) -> bool, cell: usize, product: &mut [f64], weight: &mut [f64]) {
     let count = axis.len();
     if count < 4 * SMOOTHED {
         return;
@@ -218,7 +239,7 @@ fn pool(axis: &[f64], hits: &Hits, cell: usize, product: &mut [f64], weight: &mu
     let quiet = |at: usize| loud[at + 1 + AROUND] == loud[at - AROUND - 1];
     let variance = noise_g * noise_g;
     for at in AROUND + 1..count - AROUND - 2 {
-        if quiet(at) && hits.are_far(at) {
+        if quiet(at) && is_asked(at) {
             product[at / cell] += noise[at] * noise[at + 1] / variance;
             weight[at / cell] += 0.5 * (noise[at] * noise[at] + noise[at + 1] * noise[at + 1]) / variance;
         }
