@@ -8,7 +8,7 @@ use super::finding::Finding;
 use super::measure::Measure;
 use super::rule::{Blame, Found, InSearch, Levers, Limit, Pass, Rule};
 use super::scene::Scene;
-use crate::frame::assembly::mass::uncovered_g;
+use crate::frame::assembly::mass::{covering, uncovered_g};
 use crate::params::frame::Extra;
 
 const LEVERS: &[&str] = &["bought.battery", "bought.motor", "materials.rigid"];
@@ -78,7 +78,8 @@ fn light_battery(scene: &Scene) -> Option<Finding> {
 fn light_extras(scene: &Scene) -> Vec<Finding> {
     let design = scene.design;
     let of = |(name, extra): (&String, &Extra)| {
-        let covered: BTreeSet<&String> = extra.covers.iter().filter(|role| design.frame.bought.contains_key(*role)).collect();
+        let is_in_it = |role: &&String| design.frame.bought.contains_key(*role) && covering(design, role) == Some(name.as_str());
+        let covered: BTreeSet<&String> = extra.covers.iter().filter(is_in_it).collect();
         let each: Vec<(&String, f64)> = covered.into_iter().map(|role| (role, uncovered_g(design, role))).collect();
         let all_g: f64 = each.iter().map(|(_, mass_g)| mass_g).sum();
         if extra.mass_g >= LEAST_STATED * all_g {
@@ -116,20 +117,24 @@ mod tests {
 
     #[test]
     fn planted_an_extra_that_is_lighter_than_what_it_covers() {
+        let extra = |mass_g: f64, covers: &[&str]| Extra {
+            mass_g,
+            mass_basis: crate::params::catalogue::MassBasis::Measured,
+            source: "a scale".into(),
+            position_mm: None,
+            covers: covers.iter().map(ToString::to_string).collect(),
+        };
         let with = |mass_g: f64| {
-            let extra = Extra {
-                mass_g,
-                mass_basis: crate::params::catalogue::MassBasis::Measured,
-                source: "a scale".into(),
-                position_mm: None,
-                covers: vec!["battery".into(), "computer".into()],
-            };
-            Planted::frame(|frame| drop(frame.extras.insert("pack".into(), extra))).found(check)
+            Planted::frame(|frame| drop(frame.extras.insert("pack".into(), extra(mass_g, &["battery", "computer"])))).found(check)
         };
         let found = with(30.0);
         assert!(found.len() == 2 && found[1].warns() && found[1].subject == "extra pack", "{found:?}");
         assert!(found[1].message.contains("the extra `pack` weighs 30 g and covers parts that weigh"), "{found:?}");
         assert!(found[1].levers[0] == "extras.pack.mass_g" && with(70.0).len() == 1, "{found:?}");
+        // What another extra weighs is in that one's mass.
+        let two = [("none".into(), extra(0.0, &["battery"])), ("own".into(), extra(60.0, &["battery"]))];
+        let both = Planted::frame(|frame| frame.extras.extend(two.clone())).found(check);
+        assert_eq!(both.len(), 1, "{both:?}");
     }
 
     #[test]

@@ -223,7 +223,7 @@ fn rod_g(design: &Design, shape: &Shape) -> f64 {
 }
 
 /// The extra in whose mass that of a role is contained.
-fn covering<'a>(design: &'a Design, role: &str) -> Option<&'a str> {
+pub fn covering<'a>(design: &'a Design, role: &str) -> Option<&'a str> {
     let covering = design.frame.extras.iter().filter(|(_, extra)| extra.covers.iter().any(|covered| covered == role));
     // One that weighs nothing, as of a base that the frame does without, has no line.
     covering.max_by_key(|(_, extra)| extra.mass_g > 0.0).map(|(name, _)| name.as_str())
