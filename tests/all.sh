@@ -679,7 +679,7 @@ ci_gates() {
 in_lanes() {
     rm -rf "$random_frames"
     wheel_is_packed
-    cargo_tests >"$work/rust.log" 2>&1 &
+    { cargo_tests; random_frames_are_sound; } >"$work/rust.log" 2>&1 &
     local rust=$!
     build_presets
     same_bytes
@@ -689,7 +689,6 @@ in_lanes() {
     page_is_built
     wait "$rust" || failed "the lane of the Rust tests" "exit code $?"
     cat "$work/rust.log"
-    random_frames_are_sound
     # Alone, as a browser waits for what it shows.
     page_works_in_a_browser
 }

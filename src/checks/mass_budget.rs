@@ -80,7 +80,12 @@ fn light_extras(scene: &Scene) -> Vec<Finding> {
     let of = |(name, extra): (&String, &Extra)| {
         let is_in_it = |role: &&String| design.frame.bought.contains_key(*role) && covering(design, role) == Some(name.as_str());
         let covered: BTreeSet<&String> = extra.covers.iter().filter(is_in_it).collect();
-        let each: Vec<(&String, f64)> = covered.into_iter().map(|role| (role, uncovered_g(design, role))).collect();
+        // A battery that is stated to weigh nothing is weighed with something else.
+        let by_itself_g = |role: &str| match design.frame.bought.get(role) {
+            Some(item) if role == "battery" && design.frame.battery.battery_mass_g == 0.0 => item.part.mass_g,
+            _ => uncovered_g(design, role),
+        };
+        let each: Vec<(&String, f64)> = covered.into_iter().map(|role| (role, by_itself_g(role))).collect();
         let all_g: f64 = each.iter().map(|(_, mass_g)| mass_g).sum();
         if extra.mass_g >= LEAST_STATED * all_g {
             return None;
@@ -88,7 +93,7 @@ fn light_extras(scene: &Scene) -> Vec<Finding> {
         let missing = Measure { rule: RULE.id, value: all_g - extra.mass_g, limit: 0.0, unit: "g", levers: BATTERY };
         let (heaviest, heaviest_g) = each.iter().copied().max_by(|a, b| a.1.total_cmp(&b.1))?;
         let message = format!(
-            "the extra `{name}` weighs {} g and covers parts that weigh {all_g:.1} g by the catalogue, {heaviest_g:.1} g of it the {}: {:.1} g are in no \
+            "the extra `{name}` weighs {} g and covers parts that weigh {all_g:.1} g by themselves, {heaviest_g:.1} g of it the {}: {:.1} g are in no \
              mass. State its mass_g anew, or take what it does not weigh out of its `covers`",
             extra.mass_g,
             heaviest.replace('_', " "),
@@ -135,6 +140,10 @@ mod tests {
         let two = [("none".into(), extra(0.0, &["battery"])), ("own".into(), extra(60.0, &["battery"]))];
         let both = Planted::frame(|frame| frame.extras.extend(two.clone())).found(check);
         assert_eq!(both.len(), 1, "{both:?}");
+        let mut light = Planted::frame(|frame| drop(frame.extras.insert("pack".into(), extra(5.0, &["battery"]))));
+        light.design.frame.battery.battery_mass_g = 0.0;
+        let found = light.found(check);
+        assert!(found.iter().any(|finding| finding.message.contains("weigh 58.0 g by themselves")), "{found:?}");
     }
 
     #[test]

@@ -51,7 +51,7 @@ pub(super) struct Followed {
 
 /// Whether a key holds a name.
 pub(super) fn is_one(key: &str) -> bool {
-    KEYS.iter().any(|(known, _)| *known == key) || role(key).is_some()
+    key_of(key).is_some() || role(key).is_some()
 }
 
 /// The choice by its key; none when the key is none of a name.
@@ -59,7 +59,7 @@ pub(super) fn is_one(key: &str) -> bool {
 /// # Errors
 /// When it is one of a table of names that has no such key.
 pub(super) fn of(key: &str, frame: &Frame, file: &FrameFile) -> Result<Option<Choice>, Failure> {
-    if let Some((known, what)) = KEYS.iter().find(|(known, _)| *known == key || known.rsplit('.').next() == Some(key)) {
+    if let Some((known, what)) = key_of(key) {
         return Ok(Some(named(known, what, file)));
     }
     if let Some(role) = role(key) {
@@ -71,6 +71,11 @@ pub(super) fn of(key: &str, frame: &Frame, file: &FrameFile) -> Result<Option<Ch
     let known = keys();
     let meant = nearest(key, known.iter().map(String::as_str)).first().map_or(String::new(), |near| format!(", did you mean `{near}`?"));
     Err(Failure::Usage { message: format!("there is no key `{key}`{meant}; keys of names are {}", known.join(", ")) })
+}
+
+/// One of the keys beside the roles, with or without its table.
+fn key_of(key: &str) -> Option<&'static (&'static str, &'static str)> {
+    KEYS.iter().find(|(known, _)| *known == key || known.rsplit('.').next() == Some(key))
 }
 
 /// Every key that holds a name.

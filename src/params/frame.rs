@@ -110,7 +110,7 @@ pub struct Extra {
     pub source: String,
     /// Where it sits, mm. When left out, its mass is at the parts that it covers, in proportion to their own masses, or else at the hub.
     #[serde(default)]
-    #[schemars(with = "[f64; 3]")]
+    #[schemars(with = "[f64; 3]", skip_serializing_if = "Option::is_none")]
     pub position_mm: Option<[f64; 3]>,
     /// Roles of bought parts whose masses are inside this figure and are not counted again.
     #[serde(default)]

@@ -164,10 +164,11 @@ fn planted_landings_decide_where_a_set_along_the_vertical_would_be_named() {
     let (fitted, held_out) = (waves.only(|height_m| height_m < 1.2), waves.only(|height_m| height_m > 1.2));
     let observed = ObservedLandings::of(&chosen, &waves, &[]).expect("lateral axes were measured");
     let (mut found, _) = request(&plan, &set, Some(ComparedAxes::Axial)).diagnosed(&|_| ()).expect("drops that can be diagnosed");
+    let evidence = LandingEvidence { fitted: &fitted, held_out: Some(&held_out), observed: &observed, model: &plan.model, seed: 1 };
+    let unjudged = UnjudgedLandings::of(&evidence).expect("can be fitted");
     let mut judged = |verdict: Verdict| {
         found.verdict = verdict;
-        let evidence = LandingEvidence { fitted: &fitted, held_out: Some(&held_out), observed: &observed, model: &plan.model, seed: 1 };
-        (UnjudgedLandings::of(&evidence).expect("can be fitted").beside(&found), found.clone())
+        (unjudged.clone().beside(&found), found.clone())
     };
     let (landing, _) = judged(Verdict::NothingMissing);
     assert!(landing.named() && !landing.decides(), "{:#?}", landing.gates);

@@ -8,14 +8,26 @@ use std::time::{Duration, Instant};
 use assert_cmd::cargo::cargo_bin;
 use tempfile::TempDir;
 
-/// A folder with frames and a cache of its own.
+/// A folder with frames.
 struct Bench {
     folder: TempDir,
+    cache: PathBuf,
 }
 
 impl Bench {
+    /// With the results of other tests.
     fn new(frames: &[(&str, &str)]) -> Self {
-        let bench = Self { folder: tempfile::tempdir().expect("a folder") };
+        Self::kept_in(concat!(env!("CARGO_TARGET_TMPDIR"), "/kept").into(), tempfile::tempdir().expect("a folder"), frames)
+    }
+
+    /// With a cache of its own.
+    fn apart(frames: &[(&str, &str)]) -> Self {
+        let folder = tempfile::tempdir().expect("a folder");
+        Self::kept_in(folder.path().join("cache"), folder, frames)
+    }
+
+    fn kept_in(cache: PathBuf, folder: TempDir, frames: &[(&str, &str)]) -> Self {
+        let bench = Self { folder, cache };
         for (name, text) in frames {
             bench.write(name, text);
         }
@@ -35,7 +47,7 @@ impl Bench {
     fn run(&self, arguments: &[&str]) -> Output {
         let mut command = Command::new(cargo_bin("flexframe"));
         command.args(arguments).current_dir(self.folder.path()).env("NO_COLOR", "1");
-        command.env("FLEXFRAME_CACHE", self.folder.path().join("cache")).output().expect("the program starts")
+        command.env("FLEXFRAME_CACHE", &self.cache).output().expect("the program starts")
     }
 
     fn check(&self, arguments: &[&str]) -> (i32, String, String) {
@@ -300,7 +312,7 @@ fn planted_strict_makes_warnings_fail() {
 
 #[test]
 fn analytic_every_form_is_the_same_bytes_with_and_without_kept_findings() {
-    let bench = Bench::new(&[("heavy.toml", HEAVY), ("wrong.toml", WRONG)]);
+    let bench = Bench::apart(&[("heavy.toml", HEAVY), ("wrong.toml", WRONG)]);
     for form in ["text", "json", "junit", "github", "markdown", "sarif"] {
         let made = bench.check(&["heavy.toml", "wrong.toml", "--format", form, "--no-cache"]);
         let first = bench.check(&["heavy.toml", "wrong.toml", "--format", form]);
@@ -316,11 +328,11 @@ fn analytic_every_form_is_the_same_bytes_with_and_without_kept_findings() {
 
 #[test]
 fn analytic_kept_findings_are_quick_and_never_another_frames() {
-    let bench = Bench::new(&[("heavy.toml", HEAVY)]);
+    let bench = Bench::apart(&[("heavy.toml", HEAVY)]);
     let first = bench.check(&["heavy.toml"]);
     let results = || {
         let mut found: Vec<PathBuf> = Vec::new();
-        for folder in fs::read_dir(bench.folder.path().join("cache")).expect("was made") {
+        for folder in fs::read_dir(&bench.cache).expect("was made") {
             let listed = fs::read_dir(folder.expect("is there").path()).expect("is a folder");
             found.extend(listed.map(|entry| entry.expect("is there").path()));
         }

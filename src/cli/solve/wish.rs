@@ -86,7 +86,8 @@ pub(super) fn goals(args: &Args) -> Result<Vec<Goal>, Failure> {
 pub(super) fn mechanics(args: &Args, wanted: &Wanted, goals: &[Goal]) -> Result<Option<MechanicsSettings>, Failure> {
     let asked = wanted.measures().iter().any(|m| m.is_mechanics()) || goals.iter().any(|goal| goal.measure.is_mechanics());
     if args.mechanics.is_some() && !asked {
-        let message = "--mechanics: neither aim nor goal is one of the mechanics: stiffness, design_drop.peak, .travel, .strain".into();
+        let message =
+            "--mechanics: neither aim nor goal is one of the mechanics: stiffness, design_drop.peak, .strike, .travel, .strain".into();
         return Err(Failure::Usage { message });
     }
     Ok(asked.then(|| MechanicsSettings::load(args.mechanics.as_deref())).transpose()?)

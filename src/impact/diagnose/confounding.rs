@@ -138,7 +138,7 @@ mod tests {
             accel_g: vec![0.0],
             axes_g: None,
             columns: BTreeMap::new(),
-            at_full_scale: 0,
+            at_full_scale: Vec::new(),
         };
         of.iter().enumerate().map(record).collect()
     }

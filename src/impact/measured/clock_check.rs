@@ -167,7 +167,10 @@ mod tests {
         let stalled: Vec<usize> = (0..found.len()).filter(|at| !found[*at].is_empty()).collect();
         assert_eq!(stalled, [30], "{found:?}");
         assert!(matches!(found[30][..], [ClockSign::Fall { .. }]));
-        // A few drops are compared with the height, and what a vertical drop can give.
+        // A few drops are compared with one another, and fewer with the height and what a vertical drop can give.
+        let alike = [0.316, 0.319, 0.315, 0.317, 0.250].map(|fall_s| trace(fall_s, 1.3));
+        let short: Vec<bool> = stalls(1.0, &alike, None).iter().map(|signs| !signs.is_empty()).collect();
+        assert_eq!(short, [false, false, false, false, true], "those of another height are no stalls");
         let few = stalls(1.0, &[trace(0.400, 3.0), trace(0.400, 1.3), trace(0.450, 3.0)], None);
         assert_eq!([few[0].len(), few[1].len(), few[2].len()], [1, 0, 0]);
     }

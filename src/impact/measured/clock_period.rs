@@ -245,3 +245,46 @@ fn pool(axis: &[f64], is_asked: impl Fn(usize) -> bool, cell: usize, product: &m
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use rand::SeedableRng;
+    use rand_distr::{Distribution, StandardNormal};
+    use rand_pcg::Pcg64;
+
+    use super::super::{FileFormat, read_bytes};
+    use super::*;
+
+    /// Samples of a hit with what rings behind it.
+    const LONG: u32 = 120;
+
+    /// Twelve records of two seconds at 1 kHz that were begun alike: every 600 samples something hits and rings.
+    fn records() -> Vec<Record> {
+        let mut rng = Pcg64::seed_from_u64(5);
+        let mut text = String::from("trial,height_m,t_s,accel_g\n");
+        for trial in 0..12 {
+            for at in 0..2000_u32 {
+                let white: f64 = StandardNormal.sample(&mut rng);
+                let rings = libm::sin(0.1 * std::f64::consts::PI * f64::from(at));
+                let reads_g = match (at + 300) % 600 {
+                    within if within < LONG && within % 20 == 0 => 6.0,
+                    within if within < LONG => rings + 0.1 * white,
+                    _ => 0.1 * white,
+                };
+                text += &format!("{trial},0.5,{},{reads_g:.5}\n", f64::from(at) * 1e-3);
+            }
+        }
+        let set = read_bytes(&[("a.csv".into(), text.into())], &FileFormat::default()).expect("reads");
+        set.records().cloned().collect()
+    }
+
+    #[test]
+    fn planted_hits_at_the_same_samples_of_all_records_are_no_period() {
+        let records = records();
+        let records: Vec<&Record> = records.iter().collect();
+        let hits = ClockPeriod { samples: 600.0, begin: 300.0, stretch: f64::from(LONG), rise: 0.0 };
+        let rise = Pooled::of(&records, 2000, 1, |_, _| true).rise_in(&hits);
+        let period = ClockPeriod::of(&records);
+        assert!(rise > RISE && period.is_none(), "{period:?} {rise}");
+    }
+}

@@ -69,7 +69,7 @@ mod tests {
             accel_g: (0..40).map(|at| libm::sin(f64::from(at * seed))).collect(),
             axes_g: None,
             columns: BTreeMap::new(),
-            at_full_scale: 0,
+            at_full_scale: Vec::new(),
         }
     }
 

@@ -14,7 +14,7 @@ use super::spread::Spread;
 
 /// Above this mean magnitude, or difference of the axes' mean from that in the fall, a frame is held, g: a choice between 1 g and the 0.3 g of
 /// noise that the real frame's sensor reads in the fall.
-const HELD_G: f64 = 0.6;
+pub(super) const HELD_G: f64 = 0.6;
 /// A reading so many times as large as any other beside it is none of a hand.
 const ALONE: f64 = 3.0;
 /// Time over which a mean is taken, s, and the fewest readings of it.

@@ -105,7 +105,7 @@ mod tests {
                 accel_g,
                 axes_g: None,
                 columns: std::collections::BTreeMap::new(),
-                at_full_scale: 0,
+                at_full_scale: Vec::new(),
             };
             let impact = Impact::of(&record).expect("hits");
             (record, impact)

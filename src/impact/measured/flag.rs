@@ -174,10 +174,10 @@ fn clock(record: &Record) -> Option<Flag> {
 /// The converter's end, or one value several times in a row at the top.
 fn saturation(record: &Record, impact: &Impact) -> Option<Flag> {
     let window = &record.accel_g[impact.trigger..impact.window_end];
-    if record.at_full_scale > 0 {
+    if !record.at_full_scale.is_empty() {
         let largest = |readings: &[f64]| readings.iter().fold(0.0_f64, |largest, reading| largest.max(reading.abs()));
         let all = record.axes_g.iter().flatten().map(|axis| largest(axis)).fold(largest(&record.accel_g), f64::max);
-        return Some(Flag::Saturated { samples: record.at_full_scale, level_g: all });
+        return Some(Flag::Saturated { samples: record.at_full_scale.len(), level_g: all });
     }
     let level_g = window.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let (mut run, mut longest, mut end) = (0, 0, 0);

@@ -204,7 +204,7 @@ fn is_like(impulses: &Spread, factor: f64) -> bool {
 fn is_cut_off(record: &Record) -> bool {
     let top = record.accel_g.iter().fold(0.0, |top: f64, reading| top.max(reading.abs()));
     let above = |share: f64| record.accel_g.iter().filter(|reading| reading.abs() > share * top).count() as f64;
-    record.at_full_scale > 0 || above(0.98) >= CUT_OFF * above(0.5).max(4.0)
+    !record.at_full_scale.is_empty() || above(0.98) >= CUT_OFF * above(0.5).max(4.0)
 }
 
 /// Impulse around the largest reading of an axis, over the impact speed. No trigger is asked: its level is in g.
@@ -242,7 +242,7 @@ mod tests {
                     accel_g: readings(factor),
                     axes_g: lateral.map(|[x, y]| [readings(x), readings(y), readings(factor)]),
                     columns: std::collections::BTreeMap::new(),
-                    at_full_scale: 0,
+                    at_full_scale: Vec::new(),
                 }
             };
             DropSet::of((0..5).map(record).collect(), Vec::new())

@@ -67,7 +67,7 @@ pub(super) fn record(bytes: &[u8], label: Label, calibration: &Calibration) -> R
     let Label { trial, source, frame, height_m } = label;
     let count = bytes.len() / SAMPLE;
     let (mut t_s, mut axes_g) = (Vec::with_capacity(count), [0; 3].map(|_| Vec::with_capacity(count)));
-    let (mut at_full_scale, mut before_us) = (0, None);
+    let (mut at_full_scale, mut before_us) = (Vec::new(), None);
     for (at, sample) in bytes.chunks_exact(SAMPLE).enumerate() {
         let place = SourcePosition::Sample(at + 1);
         let t_us = u32::from_le_bytes([sample[0], sample[1], sample[2], sample[3]]);
@@ -81,7 +81,9 @@ pub(super) fn record(bytes: &[u8], label: Label, calibration: &Calibration) -> R
             return Err((place, Fault::Unsorted { trial, before_s, t_s }));
         }
         before_us = Some(t_us);
-        at_full_scale += usize::from(counts.iter().any(|count| *count == 0 || *count == most));
+        if counts.iter().any(|count| *count == 0 || *count == most) {
+            at_full_scale.push(at);
+        }
         t_s.push(f64::from(t_us) * 1e-6);
         for (axis, readings) in axes_g.iter_mut().enumerate() {
             readings.push((f64::from(counts[axis]) - calibration.offset_counts[axis]) / calibration.counts_per_g[axis]);
@@ -129,7 +131,7 @@ mod tests {
         let bytes = [sample(1000, [2020, 2020, 2110]), sample(2000, [2020, 2105, 4095])].concat();
         let record = record(&bytes, label(), &Calibration::default()).expect("reads");
         assert!((record.accel_g[0] - (2110.0 - 2_020.772_844_38) / 8.877_004_38).abs() < 1e-12);
-        assert_eq!((record.t_s.clone(), record.at_full_scale), (vec![0.001, 0.002], 1));
+        assert_eq!((record.t_s.clone(), record.at_full_scale.clone()), (vec![0.001, 0.002], vec![1]));
         let y = 85.0 / (8.877_004_38 * 0.9577);
         assert!((record.size_g(1) - libm::hypot(record.accel_g[1], y)).abs() < 1e-3);
     }

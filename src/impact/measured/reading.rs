@@ -94,7 +94,10 @@ pub(super) fn gathered(all: Vec<Result<Read, Malformed>>) -> Result<DropSet, Mal
     records.extend(of_speeds);
     // As each may hold one drop, a frame's tables say together what its sensor reads.
     let is_of_table = |record: &Record| FileKind::of(Path::new(&record.source)) == Some(FileKind::Table);
-    records.iter_mut().filter(|record| beyond.contains(&record.frame) && is_of_table(record)).for_each(|record| record.at_full_scale = 0);
+    records
+        .iter_mut()
+        .filter(|record| beyond.contains(&record.frame) && is_of_table(record))
+        .for_each(|record| record.at_full_scale.clear());
     let count = records.len();
     let stray: Vec<_> = records.iter_mut().filter_map(without_stray).collect();
     let mut set = DropSet::of(records, notes(&remarks));

@@ -29,8 +29,8 @@ pub struct Record {
     pub axes_g: Option<[Vec<f64>; 3]>,
     /// Further columns of a table that were asked for, by name, and what other tables say of this drop.
     pub columns: BTreeMap<String, String>,
-    /// How many samples stand at an end of the converter's range.
-    pub at_full_scale: usize,
+    /// The samples that stand at an end of the converter's range.
+    pub at_full_scale: Vec<usize>,
 }
 
 impl Record {

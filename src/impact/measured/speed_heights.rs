@@ -43,7 +43,7 @@ mod tests {
             accel_g: vec![0.0],
             axes_g: None,
             columns: BTreeMap::new(),
-            at_full_scale: 0,
+            at_full_scale: Vec::new(),
         }
     }
 

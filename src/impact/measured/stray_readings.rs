@@ -5,15 +5,16 @@
 //! largest. The line between the readings beside them takes their place, before anything else is made of the record.
 //!
 //! *When it is wrong:* where the release is not recorded, or the height is not the stated one, readings before the impact stay as they are. Below
-//! 1 kHz one that stands alone within 15 ms of the impact is taken for the touch of a foot, as a touch may last one reading.
+//! 1 kHz none is known to stand alone, as the touch of a foot may last one reading.
 
 use std::fmt;
 use std::ops::Range;
 
-use super::fall_begin::fall_begin;
+use super::fall_begin::{HELD_G, fall_begin};
 use super::fall_length::fall_in_air_s;
 use super::impact::{TOUCH_S, TRIGGER_G};
 use super::record::Record;
+use super::spread::Spread;
 
 /// Readings above the trigger belong to one hit while there are no longer pauses, s: the feet of a sloped landing touch within it.
 const PAUSE_S: f64 = 0.015;
@@ -42,43 +43,64 @@ pub(super) struct StrayReading {
     before_s: f64,
 }
 
+/// Samples above the trigger.
+struct Loud {
+    /// Hits, with what lies between readings that follow each other at once.
+    hits: Vec<Range<usize>>,
+    /// Readings that stand alone, outside of all hits.
+    alone: Vec<usize>,
+}
+
 /// Takes the stray readings out of a record; what the largest one was, `None` where there are none.
 pub(super) fn without_stray(record: &mut Record) -> Option<StrayReading> {
-    let hits = hits(record);
-    let main = main_hit(record, &hits)?;
-    let early = &hits[..main];
+    let Loud { hits, alone } = Loud::of(record);
+    let sums = hits.iter().map(|hit| hit.clone().map(|sample| record.size_g(sample)).sum::<f64>());
+    // At one rate the sum of magnitudes is in proportion to the impulse.
+    let (main, _) = sums.enumerate().max_by(|a, b| a.1.total_cmp(&b.1).then(b.0.cmp(&a.0)))?;
     let impact = hits[main].clone();
-    let bridged = Some(early).filter(|early| !early.is_empty()).map(|early| bridged(record, early));
-    if let Some(bridged) = &bridged
-        && !(early.iter().all(|hit| lasts_s(record, hit) <= JERK_S) && is_behind_the_fall(bridged, early, impact.start))
-    {
-        return None;
+    let singles =
+        |is_early: bool| alone.iter().filter(move |sample| (**sample < impact.start) == is_early).map(|sample| *sample..*sample + 1);
+    let early: Vec<Range<usize>> = hits[..main].iter().cloned().chain(singles(true)).collect();
+    let fall = Fall::before(&bridged(record, &early), impact.start);
+    let mut stray: Vec<Range<usize>> = Vec::new();
+    if early.iter().all(|hit| lasts_s(record, hit) <= JERK_S) && fall.is_that_of(record, &hits[..main], &alone) {
+        stray.extend(early);
     }
-    let largest_g = largest_g(record, &impact);
-    let is_late = |hit: &&Range<usize>| hit.len() == 1 && record.size_g(hit.start) > largest_g;
-    let stray: Vec<Range<usize>> = early.iter().chain(hits[main + 1..].iter().filter(is_late)).cloned().collect();
-    let sample = stray.iter().flat_map(Clone::clone).max_by(|a, b| record.size_g(*a).total_cmp(&record.size_g(*b)))?;
-    let before_s = record.t_s[impact.start] - record.t_s[sample];
-    let found = StrayReading { trial: record.trial.clone(), reading_g: record.size_g(sample), before_s };
-    *record = self::bridged(record, &stray);
+    // Of a record that begins in the fall, the impact is the hardest hit, too.
+    if fall.is_begun || fall.is_of_height() {
+        let largest_g = impact.clone().map(|sample| record.size_g(sample)).fold(0.0, f64::max);
+        stray.extend(singles(false).filter(|sample| record.size_g(sample.start) > largest_g));
+    }
+    let largest = stray.iter().flat_map(Clone::clone).max_by(|a, b| record.size_g(*a).total_cmp(&record.size_g(*b)))?;
+    let before_s = record.t_s[impact.start] - record.t_s[largest];
+    let found = StrayReading { trial: record.trial.clone(), reading_g: record.size_g(largest), before_s };
+    *record = bridged(record, &stray);
     Some(found)
 }
 
-/// Samples above the trigger, with what lies between those that follow each other at once. One that stands alone is a hit of its own.
-fn hits(record: &Record) -> Vec<Range<usize>> {
-    let mut hits: Vec<Range<usize>> = Vec::new();
-    let mut is_open = false;
-    let is_fine = record.step_s().is_some_and(|step_s| step_s < COARSE_S);
-    let around = is_fine.then(|| record.samples_in(STILL_S).max(STILL));
-    for sample in (0..record.len()).filter(|sample| record.size_g(*sample) > TRIGGER_G) {
-        let is_alone = around.is_some_and(|around| stands_alone(record, sample, around));
-        match hits.last_mut().filter(|hit| is_open && !is_alone && record.t_s[sample] - record.t_s[hit.end - 1] <= PAUSE_S) {
-            Some(hit) => hit.end = sample + 1,
-            None => hits.push(sample..sample + 1),
+impl Loud {
+    fn of(record: &Record) -> Self {
+        let is_fine = record.step_s().is_some_and(|step_s| step_s < COARSE_S);
+        let around = is_fine.then(|| record.samples_in(STILL_S).max(STILL));
+        let (mut hits, mut alone): (Vec<Range<usize>>, Vec<usize>) = Default::default();
+        for sample in (0..record.len()).filter(|sample| record.size_g(*sample) > TRIGGER_G) {
+            if around.is_some_and(|around| stands_alone(record, sample, around)) {
+                alone.push(sample);
+                continue;
+            }
+            match hits.last_mut().filter(|hit| record.t_s[sample] - record.t_s[hit.end - 1] <= PAUSE_S) {
+                Some(hit) => hit.end = sample + 1,
+                None => hits.push(sample..sample + 1),
+            }
         }
-        is_open = !is_alone;
+        // One between two touches of a landing is within the hit.
+        let is_within = |sample: usize| {
+            let next = hits.partition_point(|hit| hit.end <= sample);
+            hits.get(next).is_some_and(|hit| hit.contains(&sample))
+        };
+        alone.retain(|sample| !is_within(*sample));
+        Self { hits, alone }
     }
-    hits
 }
 
 /// Whether so many readings on both sides of one are those of a fall, or of a frame that is held.
@@ -87,36 +109,55 @@ fn stands_alone(record: &Record, sample: usize, around: usize) -> bool {
     beside.all(|other| other == sample || record.size_g(other) < STILL_G)
 }
 
-/// The hit with the largest sum of magnitudes, which at one rate is in proportion to the impulse, among those of more than one reading if there are any.
-fn main_hit(record: &Record, hits: &[Range<usize>]) -> Option<usize> {
-    let is_alone = |at: &usize| hits[*at].len() == 1;
-    let all_alone = (0..hits.len()).all(|at| is_alone(&at));
-    let sum = |at: usize| hits[at].clone().map(|sample| record.size_g(sample)).sum::<f64>();
-    let candidates = (0..hits.len()).filter(|at| all_alone || !is_alone(at));
-    candidates.max_by(|a, b| sum(*a).total_cmp(&sum(*b)).then(b.cmp(a)))
-}
-
 fn lasts_s(record: &Record, hit: &Range<usize>) -> f64 {
     record.t_s[hit.end - 1] - record.t_s[hit.start]
 }
 
-fn largest_g(record: &Record, hit: &Range<usize>) -> f64 {
-    hit.clone().map(|sample| record.size_g(sample)).fold(0.0, f64::max)
+/// The fall before a hit.
+struct Fall {
+    hit: usize,
+    begin_s: f64,
+    hit_s: f64,
+    expected_s: f64,
+    /// Whether its begin is recorded.
+    is_seen: bool,
+    /// Whether the record begins in it.
+    is_begun: bool,
 }
 
-/// Whether the fall before a hit lasts as the height says, and better so than the fall before any of those that came earlier, but for one that stands
-/// alone so shortly before it that the fall of either is that of the height.
-fn is_behind_the_fall(record: &Record, earlier: &[Range<usize>], hit: usize) -> bool {
-    let (begin, is_seen) = fall_begin(record, hit.saturating_sub(record.samples_in(TOUCH_S).max(2)));
-    let expected_s = fall_in_air_s(record.height_m);
-    let off_s = |sample: usize| (record.t_s[sample] - record.t_s[begin] - expected_s).abs();
-    let is_farther = |early: &Range<usize>| off_s(hit) < off_s(early.start) || record.t_s[hit] - record.t_s[early.start] <= PAUSE_S;
-    is_seen && off_s(hit) < NEAR_S + NEAR * expected_s && earlier.iter().all(is_farther)
+impl Fall {
+    fn before(record: &Record, hit: usize) -> Self {
+        let end = hit.saturating_sub(record.samples_in(TOUCH_S).max(2));
+        let (begin, is_seen) = fall_begin(record, end);
+        let (begin_s, hit_s) = (record.t_s[begin], record.t_s[hit]);
+        let all = Spread::of((0..end).map(|sample| record.size_g(sample)));
+        let is_begun = !is_seen && all.is_some_and(|all| all.q3 < HELD_G);
+        Self { hit, begin_s, hit_s, expected_s: fall_in_air_s(record.height_m), is_seen, is_begun }
+    }
+
+    /// How far a fall until a time is from that of the height, s.
+    fn off_s(&self, until_s: f64) -> f64 {
+        (until_s - self.begin_s - self.expected_s).abs()
+    }
+
+    /// Whether it lasts as the height says.
+    fn is_of_height(&self) -> bool {
+        self.is_seen && self.off_s(self.hit_s) < NEAR_S + NEAR * self.expected_s
+    }
+
+    /// The same, and better than the fall until any hit before, or any reading that stands alone before, but for those so shortly before the hit
+    /// that the fall of either is that of the height.
+    fn is_that_of(&self, record: &Record, earlier: &[Range<usize>], alone: &[usize]) -> bool {
+        let is_farther = |sample: usize| self.off_s(self.hit_s) < self.off_s(record.t_s[sample]);
+        let singles = alone.iter().filter(|sample| **sample < self.hit && self.hit_s - record.t_s[**sample] > PAUSE_S);
+        self.is_of_height() && earlier.iter().map(|hit| hit.start).chain(singles.copied()).all(is_farther)
+    }
 }
 
 /// The record with the line between the readings beside some samples in place of these.
 fn bridged(record: &Record, stray: &[Range<usize>]) -> Record {
     let mut record = record.clone();
+    record.at_full_scale.retain(|sample| !stray.iter().any(|samples| samples.contains(sample)));
     let axes = record.axes_g.iter_mut().flatten();
     for series in axes.chain([&mut record.accel_g]) {
         stray.iter().for_each(|samples| bridge(series, samples.clone()));
@@ -139,8 +180,8 @@ pub(super) fn told(stray: &[StrayReading], records: usize) -> Option<String> {
     let more = if stray.len() > NAMED { ", and others" } else { "" };
     (!stray.is_empty()).then(|| {
         format!(
-            "in {} of {records} drops readings above {TRIGGER_G} g are of no hit ({}{more}): they are a jerk before the fall, or stand alone. The line \
-             between the readings beside them takes their place",
+            "in {} of {records} drops readings above {TRIGGER_G} g are of no hit ({}{more}), but of a jerk as the frame was let go, or of the logger. The \
+             line between the readings beside them takes their place",
             stray.len(),
             named.join("; ")
         )
@@ -180,9 +221,14 @@ mod tests {
 
     /// Whether the impact is found where it is, with its fall, as in the record without other readings.
     fn is_found(record: &Record) -> bool {
+        is_found_with(record, 0.003)
+    }
+
+    /// The same with a fall that differs by less than this, s.
+    fn is_found_with(record: &Record, least_s: f64) -> bool {
         let impact = Impact::of(record).expect("there is one");
-        let is_whole = impact.fall_s.is_some_and(|fall_s| (fall_s - 0.319).abs() < 0.003);
-        impact.trigger == 469 && impact.second_hit == Some(670) && impact.peak_g < 60.0 && is_whole
+        let is_whole = impact.fall_s.is_some_and(|fall_s| (fall_s - 0.319).abs() < least_s);
+        impact.trigger == 469 && impact.second_hit == Some(671) && impact.peak_g < 60.0 && is_whole
     }
 
     #[test]
@@ -221,24 +267,32 @@ mod tests {
     #[test]
     fn planted_a_jerk_at_the_release_is_taken_out() {
         let jerk: Vec<(u32, f64)> = (140..150).map(|ms| (ms, 12.0)).collect();
-        assert!(is_found(&read(&jerk, 0).0));
+        // The fall begins somewhere in the jerk.
+        assert!(is_found_with(&read(&jerk, 0).0, 0.011));
     }
 
     #[test]
     fn planted_an_impact_that_a_stalled_clock_cut_off_stays() {
         // What is left of the hit is one reading, or three; the rebound has the larger impulse.
         for left in [1, 3] {
-            let cut: Vec<(u32, f64)> = (470..480).map(|ms| (ms, if ms < 470 + left { 25.0 } else { 0.05 })).collect();
-            let (record, notes) = read(&cut, 0);
-            assert!(record.accel_g[470] == 25.0 && notes.is_empty(), "{left}: {notes:?}");
+            let cut = (470..480).map(|ms| (ms, if ms < 470 + left { 25.0 } else { 0.05 }));
+            let jerk = (140..150).map(|ms| (ms, 12.0));
+            for others in [cut.clone().collect::<Vec<_>>(), cut.chain(jerk).collect()] {
+                let (record, notes) = read(&others, 0);
+                assert!(record.accel_g[470] == 25.0 && notes.is_empty(), "{left}: {notes:?}");
+            }
         }
     }
 
     #[test]
     fn planted_a_first_touch_of_a_sloped_landing_stays() {
-        // It rings, and so does not stand alone.
-        let touch = [(460, 6.0), (461, 2.0)];
-        assert_eq!(read(&touch, 0).0.accel_g[460], 6.0);
+        // It rings, and so does not stand alone; what stands alone between it and the next one is of the landing.
+        let touch = [(460, 6.0), (461, 2.0), (465, 5.0)];
+        for touch in [&touch[..2], &touch] {
+            let (record, notes) = read(touch, 0);
+            assert!(record.accel_g[460] == 6.0 && notes.is_empty(), "{notes:?}");
+        }
+        assert_eq!(read(&touch, 0).0.accel_g[465], 5.0);
     }
 
     #[test]
@@ -251,6 +305,15 @@ mod tests {
 
     #[test]
     fn analytic_without_a_release_readings_before_the_impact_stay() {
-        assert_eq!(read(&[(300, 30.0)], 200).0.accel_g[100], 30.0);
+        let (record, _) = read(&[(300, 30.0), (570, 200.0)], 200);
+        assert_eq!(record.accel_g[100], 30.0);
+        assert!(record.accel_g[370] < 1.0, "behind it the larger one is taken out all the same");
+    }
+
+    #[test]
+    fn planted_a_stray_reading_at_the_end_of_the_sensor_is_no_saturation() {
+        let (record, notes) = read(&[(300, 233.66)], 0);
+        assert!(is_found(&record) && record.at_full_scale.is_empty(), "{notes:?}");
+        assert_eq!(read(&[(474, 233.66)], 0).0.at_full_scale, [474]);
     }
 }

@@ -137,8 +137,9 @@ impl Builder<'_> {
         record.t_s.push(t_s);
         let zero_g = self.format.zero_g;
         let [x_g, y_g] = [axes[0], axes[1]].map(|reading| reading.unwrap_or(0.0));
-        record.at_full_scale +=
-            usize::from([x_g, y_g, accel_g].iter().zip(&self.ends_g).any(|(reading_g, ends_g)| is_at_end(*reading_g, ends_g)));
+        if [x_g, y_g, accel_g].iter().zip(&self.ends_g).any(|(reading_g, ends_g)| is_at_end(*reading_g, ends_g)) {
+            record.at_full_scale.push(record.accel_g.len());
+        }
         let is_beyond = |(reading_g, [low_g, high_g]): (&f64, &[f64; 2])| reading_g.abs() > low_g.abs().max(*high_g) + AT_END_G;
         self.reads_beyond |= [x_g, y_g, accel_g].iter().zip(&self.ends_g).any(is_beyond);
         record.accel_g.push(accel_g - zero_g[2]);
@@ -192,7 +193,7 @@ impl Builder<'_> {
                 accel_g: Vec::new(),
                 axes_g: matches!(self.header.axes, [Some(_), Some(_), _]).then(<[Vec<f64>; 3]>::default),
                 columns: self.header.kept.iter().map(|(name, column)| (name.clone(), text(row, *column))).collect(),
-                at_full_scale: 0,
+                at_full_scale: Vec::new(),
             });
         }
         self.before = Some((trial.to_vec(), height.to_vec(), at));
@@ -354,7 +355,7 @@ mod tests {
             let head = "trial,height_m,t_s,accel_g\n";
             let found = |files: &[(String, Vec<u8>)]| {
                 let set = super::super::read_bytes(files, &super::super::FileFormat::default()).expect("reads");
-                set.records().map(|record| record.at_full_scale).collect::<Vec<_>>()
+                set.records().map(|record| record.at_full_scale.len()).collect::<Vec<_>>()
             };
             let together = found(&[("a.csv".into(), format!("{head}{}{}", drop(1, 229.9), drop(2, most)).into_bytes())]);
             // A file a drop says the same.
@@ -372,7 +373,7 @@ mod tests {
     #[test]
     fn planted_an_end_of_a_lateral_axis_is_one() {
         let text = "trial,height_m,t_s,x,y,z\n1,1,0,0,0,0\n1,1,0.001,244.08,0,100\n2,1,0,0,0,0\n2,1,0.001,0,-237.6,100\n3,1,0,0,0,0\n3,1,0.001,225,0,0\n";
-        let found = read(text).expect("reads").0.iter().map(|record| record.at_full_scale).collect::<Vec<_>>();
+        let found = read(text).expect("reads").0.iter().map(|record| record.at_full_scale.len()).collect::<Vec<_>>();
         assert_eq!(found, [1, 1, 0]);
     }
 

@@ -21,9 +21,9 @@ pub fn resolve(text: &str) -> Result<Frame, LoadError> {
     Ok(Frame::resolve(&file)?)
 }
 
-/// What was computed for the tests before: most of them look at frames that are alike.
+/// What was computed for the tests before: most of them look at frames that are alike, or at all frames that come with the program, two at a time.
 pub fn memo() -> &'static Arc<Memo> {
-    static MEMO: LazyLock<Arc<Memo>> = LazyLock::new(Arc::default);
+    static MEMO: LazyLock<Arc<Memo>> = LazyLock::new(|| Arc::new(Memo::lasting(30)));
     &MEMO
 }
 
