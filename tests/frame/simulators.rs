@@ -193,7 +193,11 @@ fn analytic_the_same_frame_gives_the_same_bytes() {
 fn analytic_propellers_whose_mass_is_in_another_line_are_no_bodies() {
     let text = "base = \"cognifly\"\nextras.drive.mass_g = 30.0\nextras.drive.mass_basis = \"estimate\"\nextras.drive.source = \"a guess\"\n\
                 extras.drive.covers = [\"propeller\"]\n";
+    // Where its place is not stated, it is at the propellers.
     let (design, model) = of_text(text);
+    assert!(model.motors.iter().all(|motor| motor.body.as_ref().is_some_and(|body| (body.mass_kg - 7.5e-3).abs() < 1e-9)));
+    assert_eq!(faults(&design, &model), Vec::<String>::new());
+    let (design, model) = of_text(&format!("{text}extras.drive.position_mm = [0.0, 0.0, 0.0]\n"));
     assert!(model.motors.iter().all(|motor| motor.body.is_none()));
     assert_eq!(faults(&design, &model), Vec::<String>::new());
     let written = files(&model, &SimulatorFormat::ALL).expect("is written");
