@@ -247,11 +247,16 @@ fn basis(basis: MassBasis) -> &'static str {
     }
 }
 
+/// The extra that a line is of.
+fn extra_of<'a>(design: &'a Design, line: &MassLine) -> Option<&'a Extra> {
+    design.frame.extras.get(&line.name).filter(|_| line.kind == LineKind::Extra)
+}
+
 /// The bodies that stand for a line, each with its weight among them; none for a line without a body, and for an extra with a place of its own.
 fn carriers<'a>(design: &'a Design, line: &MassLine) -> Vec<(&'a Body, f64)> {
     let weight = |body: &Body| design.shape(body).kind.weight(&design.frame);
     // An extra is where its file says, whatever its name is.
-    match design.frame.extras.get(&line.name).filter(|_| line.kind == LineKind::Extra) {
+    match extra_of(design, line) {
         Some(Extra { position_mm: Some(_), .. }) => Vec::new(),
         Some(extra) => {
             let roles: BTreeSet<&String> = extra.covers.iter().collect();
@@ -309,8 +314,7 @@ fn moments(design: &Design, lines: &[MassLine], carries: &dyn Fn(Option<&Body>) 
             sum.add(share, body.pose * centre, own);
         }
         if all == 0.0 && carries(None) {
-            let extra = design.frame.extras.get(&line.name).filter(|_| line.kind == LineKind::Extra);
-            let at = extra.and_then(|extra| extra.position_mm).unwrap_or_default();
+            let at = extra_of(design, line).and_then(|extra| extra.position_mm).unwrap_or_default();
             sum.add(line.total_g, Point3::from(at), Matrix3::zeros());
         }
     }

@@ -19,6 +19,10 @@ const NOISE_S: f64 = 0.2;
 const FALLING: usize = 20;
 /// Before the trigger the ground may touch already, s.
 pub(super) const TOUCH_S: f64 = 0.002;
+/// Before the fall begins a hand lets go, s.
+const RELEASE_S: f64 = 0.1;
+/// Held before that for so long at least, s.
+const HELD_S: f64 = 0.1;
 /// The frame has left the ground when no reading is above [`TRIGGER_G`] for this long, s.
 const QUIET_S: f64 = 0.005;
 
@@ -58,6 +62,13 @@ impl Impact {
     pub(super) fn behind_release(&self) -> Option<Range<usize>> {
         let falling = self.falling.start + self.falling.len() / 5..self.falling.end;
         (falling.len() >= FALLING).then_some(falling)
+    }
+
+    /// Samples of the frame while it is held, before a hand lets go; `None` where the release is not recorded, or too little before it.
+    pub(super) fn held(&self, record: &Record) -> Option<Range<usize>> {
+        self.fall_s?;
+        let held = 0..self.falling.start.checked_sub(record.samples_in(RELEASE_S))?;
+        (held.len() >= record.samples_in(HELD_S)).then_some(held)
     }
 
     /// Finds the impact; `None` when no reading is above 3 g.

@@ -21,8 +21,6 @@ const LET_BE: [f64; 2] = [0.75, 1.35];
 const OTHER_FALL: f64 = 0.1;
 /// What nearly all drops of a session have at least, where flights are not seen: 1, with room for slopes and for what comes behind the window.
 const LEAST_OVER_V0: f64 = 0.85;
-/// Before the fall begins a hand lets go, s, and the frame is held for so long before that, at least.
-const RELEASE_S: f64 = 0.1;
 /// How far the magnitude while a frame is held may be from the scale, as a factor.
 const HELD: f64 = 1.25;
 
@@ -106,9 +104,8 @@ fn is_saturated(record: &Record, impact: &Impact) -> bool {
 
 /// Mean reading along the axis before the fall, g.
 fn held_along_g(record: &Record, impact: &Impact) -> Option<f64> {
-    impact.fall_s?;
-    let held = &record.accel_g[..impact.falling.start.checked_sub(record.samples_in(RELEASE_S))?];
-    (held.len() >= record.samples_in(RELEASE_S)).then(|| held.iter().sum::<f64>().abs() / held.len() as f64)
+    let held = &record.accel_g[impact.held(record)?];
+    Some(held.iter().sum::<f64>().abs() / held.len() as f64)
 }
 
 impl Evidence {

@@ -9,11 +9,6 @@ use super::impact::Impact;
 use super::record::Record;
 use super::spread::Spread;
 
-/// Before the fall begins a hand lets go, s.
-const RELEASE_S: f64 = 0.1;
-/// Held before that for so long at least, s.
-const HELD_S: f64 = 0.1;
-
 /// The mean reading of an axis in free fall, of the axis along the fall without the drag of the air.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Zero {
@@ -101,8 +96,7 @@ fn zero(records: &[(&Record, Option<&Impact>)], of: impl Fn(&Record, &Impact) ->
 /// Median magnitude of the first samples of a record, while the frame is held, g.
 fn held_g(record: &Record, impact: &Impact, zero_g: [f64; 3]) -> Option<f64> {
     let axes = record.axes_g.as_ref()?;
-    impact.fall_s?;
-    let held = 0..impact.falling.start.checked_sub(record.samples_in(RELEASE_S))?;
+    let held = impact.held(record)?;
     let size = |sample: usize| (0..3).map(|axis| (axes[axis][sample] - zero_g[axis]).powi(2)).sum::<f64>().sqrt();
-    (held.len() >= record.samples_in(HELD_S)).then(|| Spread::of(held.map(size)).map(|spread| spread.median)).flatten()
+    Spread::of(held.map(size)).map(|spread| spread.median)
 }

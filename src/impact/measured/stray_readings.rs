@@ -18,8 +18,8 @@ use super::spread::Spread;
 
 /// Readings above the trigger belong to one hit while there are no longer pauses, s: the feet of a sloped landing touch within it.
 const PAUSE_S: f64 = 0.015;
-/// Beside a reading that stands alone none is above this, g, so long on both sides, s, and for so many readings: the touch of a foot rings. Among the
-/// 250 drops of the paper's logger whose clock is good no first touch does so.
+/// Beside a reading that stands alone none is above this, g, so long on both sides, s, and for so many readings: the touch of a foot rings. None of the
+/// 274 reference records of the paper's logger begins its hit so.
 const STILL_G: f64 = 1.5;
 const STILL_S: f64 = 0.002;
 const STILL: usize = 2;
@@ -57,6 +57,9 @@ pub(super) fn without_stray(record: &mut Record) -> Option<StrayReading> {
     let sums = hits.iter().map(|hit| hit.clone().map(|sample| record.size_g(sample)).sum::<f64>());
     // At one rate the sum of magnitudes is in proportion to the impulse.
     let (main, _) = sums.enumerate().max_by(|a, b| a.1.total_cmp(&b.1).then(b.0.cmp(&a.0)))?;
+    if main == 0 && alone.is_empty() {
+        return None;
+    }
     let impact = hits[main].clone();
     let singles =
         |is_early: bool| alone.iter().filter(move |sample| (**sample < impact.start) == is_early).map(|sample| *sample..*sample + 1);
